@@ -1,0 +1,23 @@
+# SPDX-FileCopyrightText: The verge authors
+# SPDX-License-Identifier: Apache-2.0
+
+# Outside libraries, all of them Debian packages (packages.txt says why each is there). Nothing is downloaded.
+find_package(fmt REQUIRED)
+find_package(tl-expected REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Eigen3 REQUIRED)
+find_package(TBB REQUIRED)
+find_library(GEOGRAPHICLIB_LIBRARY NAMES GeographicLib Geographic REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
+pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
+find_package(Threads REQUIRED)
+
+if(VERGE_DEVELOPER_MODE)
+  include(GoogleTest)
+  find_package(GTest REQUIRED)
+  find_package(benchmark REQUIRED)
+  find_package(rapidcheck REQUIRED)
+endif()

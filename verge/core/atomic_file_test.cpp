@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/core/atomic_file.hpp"
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+namespace verge {
+namespace {
+namespace fs = std::filesystem;
+
+class AtomicFileTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) /
+              ("atomic_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string content(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+  }
+  [[nodiscard]] std::size_t entries() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(AtomicFileTest, AppearsOnlyWithCommit) {
+  const fs::path target = folder_ / "out.txt";
+  auto file = AtomicFile::create(target);
+  ASSERT_TRUE(file.has_value());
+  ASSERT_TRUE(file->write("hello").has_value());
+  EXPECT_FALSE(fs::exists(target));
+  ASSERT_TRUE(file->commit().has_value());
+  EXPECT_EQ(content(target), "hello");
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(AtomicFileTest, WithoutCommitTheOldFileStaysAndNothingIsLeft) {
+  const fs::path target = folder_ / "out.txt";
+  ASSERT_TRUE(write_file(target, "old").has_value());
+  {
+    auto file = AtomicFile::create(target);
+    ASSERT_TRUE(file.has_value());
+    ASSERT_TRUE(file->write(std::string(200'000, 'n')).has_value());
+  }
+  EXPECT_EQ(content(target), "old");
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(AtomicFileTest, AFullDiskLeavesTheOldFile) {
+  const fs::path target = folder_ / "out.txt";
+  ASSERT_TRUE(write_file(target, "old").has_value());
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{4096, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const auto result = write_file(target, std::string(100'000, 'n'));
+  setrlimit(RLIMIT_FSIZE, &before);
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::kCannotWrite);
+  EXPECT_EQ(content(target), "old");
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(AtomicFileTest, AFullDeviceIsAnError) {
+  const auto result = write_file("/dev/full", "x");
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::kCannotWrite);
+}
+
+TEST_F(AtomicFileTest, AMissingFolderAndAFolderAsTargetAreErrors) {
+  EXPECT_FALSE(write_file(folder_ / "none" / "out.txt", "x").has_value());
+  EXPECT_FALSE(write_file(folder_, "x").has_value());
+}
+
+TEST_F(AtomicFileTest, ALinkStaysALink) {
+  ASSERT_TRUE(write_file(folder_ / "real.txt", "old").has_value());
+  fs::create_symlink(folder_ / "real.txt", folder_ / "link.txt");
+  ASSERT_TRUE(write_file(folder_ / "link.txt", "new").has_value());
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+  EXPECT_EQ(content(folder_ / "real.txt"), "new");
+}
+
+TEST_F(AtomicFileTest, TheLongestNameWorks) {
+  const fs::path target = folder_ / std::string(255, 'a');
+  EXPECT_TRUE(write_file(target, "x").has_value());
+  EXPECT_FALSE(write_file(folder_ / std::string(256, 'a'), "x").has_value());
+  EXPECT_EQ(entries(), 1U);
+}
+
+}  // namespace
+}  // namespace verge
