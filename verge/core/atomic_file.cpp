@@ -29,8 +29,9 @@ namespace {
 
 constexpr std::size_t kBufferSize = 1U << 16U;
 
+/// EPIPE comes only where the program ignores SIGPIPE, and only from a direct target.
 Error write_error(const fs::path& file, std::string_view doing) {
-  return {ErrorCode::kCannotWrite,
+  return {errno == EPIPE ? ErrorCode::kReaderGone : ErrorCode::kCannotWrite,
           file.string(),
           {},
           fmt::format("cannot {}: {}", doing, std::strerror(errno)),

@@ -6,8 +6,11 @@
 #include <fstream>
 #include <sstream>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace verge {
 namespace {
@@ -79,6 +82,19 @@ TEST_F(AtomicFileTest, AFullDeviceIsAnError) {
   const auto result = write_file("/dev/full", "x");
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ErrorCode::kCannotWrite);
+}
+
+TEST_F(AtomicFileTest, APipeWhoseReaderHasGoneIsItsOwnOutcome) {
+  std::signal(SIGPIPE, SIG_IGN);
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  auto file = AtomicFile::create(pipe);
+  ASSERT_TRUE(file.has_value());
+  ::close(reader);
+  ASSERT_TRUE(file->write("nobody listens").has_value());
+  EXPECT_EQ(file->flush().error().code, ErrorCode::kReaderGone);
+  EXPECT_EQ(file->commit().error().code, ErrorCode::kReaderGone);
 }
 
 TEST_F(AtomicFileTest, AMissingFolderAndAFolderAsTargetAreErrors) {

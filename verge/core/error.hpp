@@ -16,6 +16,7 @@ enum class ErrorCode {
   kUnusable,     ///< Opened, but nothing in it can be decoded.
   kDamaged,      ///< A part is damaged; what came before it is good.
   kCannotWrite,  ///< Full, read-only, size limit.
+  kReaderGone,   ///< The output is a pipe that nobody reads any more: a program stops and calls it done.
   kTimeout,      ///< No data within the time allowed.
   kLimit,        ///< Would exceed a limit (memory, points, message size).
 };
