@@ -48,7 +48,7 @@ fs::path resolve_link(const fs::path& target) {
   return error ? target : resolved;
 }
 
-bool is_direct(const fs::path& target) {
+bool names_a_stream(const fs::path& target) {
   std::error_code ignored;
   const fs::file_status status = fs::status(target, ignored);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
@@ -115,8 +115,12 @@ Expected<AtomicFile> AtomicFile::create(const fs::path& target) {
   if (fs::is_directory(state->target, ignored)) {
     return Unexpected({ErrorCode::kCannotWrite, target.string(), {}, "cannot write: it is a folder", {}, {}});
   }
+  // The rename would succeed on a file that its owner marked read-only: that mark is a wish to keep it.
+  if (fs::exists(state->target, ignored) && ::access(state->target.c_str(), W_OK) != 0) {
+    return Unexpected(write_error(target, "write"));
+  }
   constexpr mode_t kMode = 0644;
-  if (is_direct(state->target)) {
+  if (names_a_stream(state->target)) {
     state->fd = open_retrying(state->target, O_WRONLY | O_CLOEXEC, kMode);
   } else {
     state->temporary = temporary_name(state->target);
@@ -125,6 +129,16 @@ Expected<AtomicFile> AtomicFile::create(const fs::path& target) {
   if (state->fd < 0) return Unexpected(write_error(target, "write"));
   return AtomicFile(std::move(state));
 }
+
+Expected<AtomicFile> AtomicFile::standard_output() {
+  auto state = std::make_unique<State>();
+  state->target = "standard output";
+  state->fd = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+  if (state->fd < 0) return Unexpected(write_error(state->target, "write"));
+  return AtomicFile(std::move(state));
+}
+
+bool AtomicFile::is_direct() const { return state_->temporary.empty(); }
 
 Expected<void> AtomicFile::write(std::string_view bytes) {
   if (state_->failure) return Unexpected(*state_->failure);

@@ -17,8 +17,16 @@ namespace verge {
 /// stays.
 class AtomicFile {
  public:
-  /// Fails with kCannotWrite (folder missing or read-only, target is a folder, name too long).
+  /// Fails with kCannotWrite (folder missing or read-only, target is a folder or marked read-only, name too
+  /// long).
   [[nodiscard]] static Expected<AtomicFile> create(const std::filesystem::path& target);
+
+  /// The standard output of this program, written directly: it belongs to whoever started us, so that it is
+  /// never renamed over, even where it is a file. Fails with kCannotWrite where it is closed.
+  [[nodiscard]] static Expected<AtomicFile> standard_output();
+
+  /// Whether the bytes go straight to their reader (a device, a FIFO, standard output).
+  [[nodiscard]] bool is_direct() const;
 
   AtomicFile(AtomicFile&&) noexcept;
   AtomicFile& operator=(AtomicFile&&) noexcept;

@@ -3,6 +3,7 @@
 #include "verge/core/atomic_file.hpp"
 
 #include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -115,6 +116,35 @@ TEST_F(AtomicFileTest, TheLongestNameWorks) {
   EXPECT_TRUE(write_file(target, "x").has_value());
   EXPECT_FALSE(write_file(folder_ / std::string(256, 'a'), "x").has_value());
   EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(AtomicFileTest, StandardOutputIsAppendedToAndNeverRenamedOver) {
+  const fs::path target = folder_ / "redirected.txt";
+  const int saved = ::dup(STDOUT_FILENO);
+  const int fd = ::open(target.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
+  ASSERT_GE(fd, 0);
+  ::fflush(stdout);
+  ::dup2(fd, STDOUT_FILENO);
+  for (const auto* text : {"one ", "two"}) {
+    auto file = AtomicFile::standard_output();
+    EXPECT_TRUE(file && file->is_direct() && file->write(text) && file->commit());
+  }
+  ::dup2(saved, STDOUT_FILENO);
+  ::close(saved);
+  ::close(fd);
+  EXPECT_EQ(content(target), "one two");
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(AtomicFileTest, FileMarkedReadOnlyIsKept) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write every file";
+  const fs::path target = folder_ / "kept.txt";
+  ASSERT_TRUE(write_file(target, "old").has_value());
+  fs::permissions(target, fs::perms::owner_read);
+  const auto written = write_file(target, "new");
+  ASSERT_FALSE(written.has_value());
+  EXPECT_EQ(written.error().code, ErrorCode::kCannotWrite);
+  EXPECT_EQ(content(target), "old");
 }
 
 }  // namespace
