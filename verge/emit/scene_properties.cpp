@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/emit/scene_properties.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace verge::emit {
+
+using nlohmann::ordered_json;
+
+double rounded(double value) {
+  assert(std::isfinite(value));
+  constexpr double kPerUnit = 1e4;
+  constexpr double kExact = 0x1p51;  // beyond it, rounding again could give another number
+  const double scaled = std::round(value * kPerUnit);
+  if (std::fabs(scaled) >= kExact) return value;
+  return scaled / kPerUnit + 0.0;  // -0 + 0 = 0
+}
+
+ordered_json properties_of(const Boundary& boundary) {
+  return {{"id", boundary.id},
+          {"side", name_of(boundary.side)},
+          {"model", name_of(boundary.model)},
+          {"kind", name_of(boundary.kind)},
+          {"confidence", rounded(boundary.confidence)}};
+}
+
+void add_point_properties(ordered_json& properties, const Boundary& boundary) {
+  if (!boundary.height_m.empty()) {
+    ordered_json& heights = properties["height_m"] = ordered_json::array();
+    for (const double height_m : boundary.height_m) heights.push_back(rounded(height_m));
+  }
+  if (!boundary.state.empty()) {
+    ordered_json& states = properties["state"] = ordered_json::array();
+    for (const PointState state : boundary.state) states.push_back(name_of(state));
+  }
+}
+
+void add_origin(ordered_json& properties, const Scene& scene) {
+  if (!scene.method.empty()) properties["method"] = scene.method;
+  if (!scene.version.empty()) properties["version"] = scene.version;
+  if (!scene.config_hash.empty()) properties["config_hash"] = scene.config_hash;
+}
+
+std::string text_of(const ordered_json& value) {
+  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+}  // namespace verge::emit
