@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/detect/registry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "verge/detect/gradient/gradient.hpp"
+
+namespace verge::detect {
+namespace {
+
+template <class Type>
+std::vector<FieldRow> fields_of(std::span<const Setting> overrides) {
+  return field_rows(config_of<typename Type::Config>(overrides));
+}
+
+template <class Type>
+std::unique_ptr<Detector> make_of(std::span<const Setting> overrides) {
+  return std::make_unique<Type>(config_of<typename Type::Config>(overrides));
+}
+
+template <class Type>
+constexpr Method entry(std::string_view name, Order order, std::string_view summary,
+                       std::string_view citation) {
+  return {name, summary, citation, order, &fields_of<Type>, &make_of<Type>};
+}
+
+/// One line a method: this is all that a new one adds here.
+constexpr std::array kMethods{
+    entry<Gradient>(
+        "gradient", Order::kIndependent,
+        "steps by gradient along the rings in four quadrants, k-means, and a line or B-spline a side",
+        "Zhong et al., Road boundary detection algorithm based on multi-line 3D laser radar, "
+        "IJEART 3(8), 2017"),
+};
+
+}  // namespace
+
+std::span<const Method> methods() { return kMethods; }
+
+const Method& method_named(std::string_view name) {
+  const auto found = std::find_if(kMethods.begin(), kMethods.end(),
+                                  [&](const Method& method) { return method.name == name; });
+  if (found != kMethods.end()) return *found;
+  std::vector<std::string_view> names;
+  for (const Method& method : kMethods) names.push_back(method.name);
+  const std::string_view near = nearest_word(name, names);
+  throw std::invalid_argument(near.empty()
+                                  ? fmt::format("unknown method '{}' (see: verge methods)", name)
+                                  : fmt::format("unknown method '{}' (did you mean '{}'?)", name, near));
+}
+
+std::unique_ptr<Detector> make(std::string_view name, const std::vector<Setting>& overrides) {
+  return method_named(name).make(overrides);
+}
+
+}  // namespace verge::detect

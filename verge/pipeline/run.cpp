@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/pipeline/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include "verge/core/version.hpp"
+
+namespace verge::pipeline {
+namespace {
+
+/// What travels from stage to stage: a frame with its record, or why there is none.
+struct Item {
+  Frame frame;
+  std::string record;
+  std::optional<Error> damage;   // the scan could not be read
+  std::optional<Error> failure;  // its record could not be made
+};
+
+using ItemPtr = std::shared_ptr<Item>;
+
+/// Seconds that `action` takes.
+template <class Action>
+double timed(Action&& action) {
+  const auto begin = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+bool hints_say_all(const MountHint& hint) {
+  return hint.height_m && hint.pitch_rad && hint.roll_rad && hint.forward_rad;
+}
+
+/// What the caller knows goes first, then what the scan itself says.
+MountHint merged(const MountHint& hint, const std::optional<Mount>& own) {
+  if (!own) return hint;
+  return {hint.height_m.value_or(own->height_m), hint.pitch_rad.value_or(own->pitch_rad),
+          hint.roll_rad.value_or(own->roll_rad), hint.forward_rad.value_or(own->forward_rad)};
+}
+
+MountEstimate mount_of(const Scan& scan, const Options& options) {
+  const MountHint hint = merged(options.mount_hint, scan.mount);
+  if (!hints_say_all(hint)) return estimate_mount(scan, hint, options.mount_config);
+  return {{*hint.height_m, *hint.pitch_rad, *hint.roll_rad, *hint.forward_rad}, 0.0, true, true};
+}
+
+void prepare(Frame& frame, const Options& options) {
+  frame.scan = deskew(std::move(frame.scan));
+  frame.mount = mount_of(frame.scan, options);
+  frame.scan.mount = frame.mount.mount;
+}
+
+void detect_on(Frame& frame, detect::Detector& detector, const Options& options) {
+  if (options.trace) frame.trace.emplace();
+  frame.scene = detector.process(frame.scan, frame.trace ? &*frame.trace : nullptr);
+  frame.scene.frame = frame.scan.frame;
+  frame.scene.frame_id = frame.scan.frame_id;
+  frame.scene.stamp_ns = frame.scan.stamp_ns;
+  frame.scene.method = options.method;
+  frame.scene.version = version();
+  frame.scene.config_hash = options.config_hash;
+}
+
+void render(Item& item, const Ends& ends) {
+  auto record = ends.render(item.frame);
+  if (record) {
+    item.record = *std::move(record);
+  } else {
+    item.failure = std::move(record).error();
+  }
+}
+
+/// The serial ends of the run and what they remember; the stages between hold no state.
+class Run {
+ public:
+  Run(const Ends& ends, const Options& options, const std::atomic<bool>& stop)
+      : ends_(ends), options_(options), stop_(stop) {}
+
+  /// The next scan, or null where the run ends.
+  [[nodiscard]] ItemPtr read() {
+    if (failed_.load()) return nullptr;
+    if (stop_.load()) {
+      summary_.interrupted = true;
+      return nullptr;
+    }
+    Expected<std::optional<Scan>> next;
+    const double read_s = timed([&] { next = ends_.read(); });
+    if (next && !*next) return nullptr;
+    auto item = std::make_shared<Item>();
+    item->frame.index = index_++;
+    item->frame.times.read_s = read_s;
+    if (next) {
+      item->frame.scan = *std::move(*next);
+    } else {
+      item->damage = std::move(next).error();
+    }
+    return item;
+  }
+
+  void write(Item& item) {
+    if (failed_.load()) return;
+    if (item.damage) return count_damage(item);
+    if (!item.failure) write_record(item);
+    if (!item.failure) return count_frame(item.frame);
+    failure_ = std::move(item.failure);
+    failed_.store(true);
+  }
+
+  [[nodiscard]] Expected<Summary> result() && {
+    if (failure_) return Unexpected(*std::move(failure_));
+    return std::move(summary_);
+  }
+
+ private:
+  void write_record(Item& item) {
+    Expected<void> written;
+    item.frame.times.write_s += timed([&] { written = ends_.write(item.frame, std::move(item.record)); });
+    if (!written) item.failure = std::move(written).error();
+  }
+
+  void count_damage(const Item& item) {
+    ++summary_.counts.damaged;
+    if (!summary_.first_error) summary_.first_error = item.damage;
+    ends_.skip(item.frame.index, *item.damage);
+  }
+
+  void count_frame(const Frame& frame) {
+    add(summary_.counts, frame.scan, frame.scene);
+    summary_.mounts.push_back(frame.mount.mount);
+    summary_.times.push_back(frame.times);
+  }
+
+  const Ends& ends_;
+  const Options& options_;
+  const std::atomic<bool>& stop_;
+  std::atomic<bool> failed_{false};
+  std::size_t index_ = 0;
+  std::optional<Error> failure_;
+  Summary summary_;
+};
+
+constexpr auto kParallelism = tbb::global_control::max_allowed_parallelism;
+
+std::size_t thread_count(const Options& options) {
+  if (options.threads > 0) return options.threads;
+  return std::max<std::size_t>(1, std::thread::hardware_concurrency());
+}
+
+/// A stage on items that hold a scan; damaged ones pass it by.
+template <class Stage>
+auto filter(tbb::filter_mode mode, Stage stage) {
+  return tbb::make_filter<ItemPtr, ItemPtr>(mode, [stage](ItemPtr item) {
+    if (!item->damage) stage(*item);
+    return item;
+  });
+}
+
+tbb::filter<void, void> chain(Run& state, const Ends& ends, detect::Detector& detector,
+                              const Options& options) {
+  const auto detect_mode = detector.order() == detect::Order::kIndependent
+                               ? tbb::filter_mode::parallel
+                               : tbb::filter_mode::serial_in_order;
+  const auto read = tbb::make_filter<void, ItemPtr>(tbb::filter_mode::serial_in_order,
+                                                    [&state](tbb::flow_control& control) {
+                                                      ItemPtr item = state.read();
+                                                      if (!item) control.stop();
+                                                      return item;
+                                                    });
+  const auto prepared = filter(tbb::filter_mode::parallel, [&options](Item& item) {
+    item.frame.times.mount_s = timed([&] { prepare(item.frame, options); });
+  });
+  const auto detected = filter(detect_mode, [&detector, &options](Item& item) {
+    item.frame.times.detect_s = timed([&] { detect_on(item.frame, detector, options); });
+  });
+  const auto rendered = filter(tbb::filter_mode::parallel, [&ends](Item& item) {
+    item.frame.times.write_s = timed([&] { render(item, ends); });
+  });
+  const auto written = tbb::make_filter<ItemPtr, void>(tbb::filter_mode::serial_in_order,
+                                                       [&state](const ItemPtr& item) { state.write(*item); });
+  return read & prepared & detected & rendered & written;
+}
+
+}  // namespace
+
+Expected<Summary> run(const Ends& ends, detect::Detector& detector, const Options& options,
+                      const std::atomic<bool>& stop) {
+  const std::size_t threads = thread_count(options);
+  Run state(ends, options, stop);
+  // More threads than the machine has must be asked for; for the time of this run only.
+  const std::size_t most = std::max(threads, tbb::global_control::active_value(kParallelism));
+  const tbb::global_control allowed(kParallelism, most);
+  // An arena of its own limits this run alone, not the whole process.
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([&] { tbb::parallel_pipeline(2 * threads, chain(state, ends, detector, options)); });
+  return std::move(state).result();
+}
+
+}  // namespace verge::pipeline
