@@ -1,21 +1,23 @@
 # SPDX-FileCopyrightText: The verge authors
 # SPDX-License-Identifier: Apache-2.0
 
-# verge_room(NAME SOURCES ... [HEADERS ...] [DEPENDS rooms] [PRIVATE libraries] [TESTS files])
+# verge_room(NAME SOURCES ... [HEADERS ...] [DEPENDS rooms] [PUBLIC libraries] [PRIVATE libraries] [TESTS files])
 #
 # One library a room: verge::NAME, headers beside sources, include root = the repository.
-# DEPENDS names other rooms (public), PRIVATE names outside libraries that no header of the room shows.
+# DEPENDS names other rooms (public), PUBLIC names outside libraries that a header of the room shows, PRIVATE those
+# that none does.
 # TESTS makes one executable of the room's unit tests, found by CTest as NAME.*
 function(verge_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;DEPENDS;PRIVATE;TESTS" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;DEPENDS;PUBLIC;PRIVATE;TESTS" ${ARGN})
   add_library(verge_${name} STATIC ${ROOM_SOURCES})
   add_library(verge::${name} ALIAS verge_${name})
   set_target_properties(verge_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_sources(verge_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ROOM_HEADERS})
   target_compile_features(verge_${name} PUBLIC cxx_std_20)
-  list(TRANSFORM ROOM_DEPENDS PREPEND verge::)
-  target_link_libraries(verge_${name} PUBLIC ${ROOM_DEPENDS} PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:verge_options>)
-  install(TARGETS verge_${name} EXPORT vergeTargets FILE_SET HEADERS)
+  list(TRANSFORM ROOM_DEPENDS PREPEND verge:: OUTPUT_VARIABLE rooms)
+  verge_hide_header_only(private ${ROOM_PRIVATE})
+  target_link_libraries(verge_${name} PUBLIC ${rooms} ${ROOM_PUBLIC} PRIVATE ${private} $<BUILD_INTERFACE:verge_options>)
+  verge_install_room(${name} ROOMS ${ROOM_DEPENDS} LIBRARIES ${ROOM_PUBLIC} ${private})
   if(VERGE_DEVELOPER_MODE AND ROOM_TESTS)
     verge_test(${name}_test SOURCES ${ROOM_TESTS} LIBRARIES verge::${name})
   endif()
