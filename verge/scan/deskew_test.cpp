@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "verge/scan/organise.hpp"
+#include "verge/scan/test_clouds.hpp"
 
 namespace verge {
 namespace {
@@ -71,6 +74,83 @@ TEST(Deskew, WallIsStraightAgainWhileTurning) {
   const Scan skewed = wall_seen_while_moving(end);
   EXPECT_GT(worst_distance(skewed), 0.2);
   EXPECT_LT(worst_distance(deskew(skewed)), 1e-4);
+}
+
+TEST(Deskew, StandingStillChangesNoPoint) {
+  const Pose somewhere{.rotation = from_yaw_pitch_roll(1.0, 0.1, 0.2), .translation = {100.0, -3.0, 7.0}};
+  Scan scan = organise(testing::simulate(testing::plan(8, -15.0, 5.0, 90))).scan;
+  scan.motion = Motion{.T_world_sensor_begin = somewhere, .T_world_sensor_end = somewhere};
+  const Scan still = deskew(scan);
+  EXPECT_TRUE(still.deskewed);
+  EXPECT_EQ(std::tie(still.x, still.y, still.z, still.azimuth, still.range, still.input_index),
+            std::tie(scan.x, scan.y, scan.z, scan.azimuth, scan.range, scan.input_index));
+}
+
+TEST(Deskew, DoneTwiceIsDoneOnce) {
+  const Pose end{.rotation = from_yaw_pitch_roll(0.05, 0.0, 0.0), .translation = {1.6, 0.0, 0.0}};
+  const Scan once = deskew(wall_seen_while_moving(end));
+  const Scan twice = deskew(once);
+  EXPECT_EQ(std::tie(once.x, once.y, once.z, once.azimuth, once.range),
+            std::tie(twice.x, twice.y, twice.z, twice.azimuth, twice.range));
+}
+
+TEST(Deskew, WithoutMotionOrTimesNothingIsDone) {
+  const Pose end{.rotation = {}, .translation = {1.6, 0.0, 0.0}};
+  const Scan scan = wall_seen_while_moving(end);
+  Scan unmoved = scan;
+  unmoved.motion.reset();
+  Scan timeless = scan;
+  timeless.time_offset_ns.clear();
+  Scan instant = scan;
+  instant.motion->duration_ns = 0;
+  for (const Scan& unfit : {unmoved, timeless, instant}) {
+    const Scan result = deskew(unfit);
+    EXPECT_FALSE(result.deskewed);
+    EXPECT_EQ(result.x, scan.x);
+  }
+}
+
+TEST(Deskew, NoReturnsStayNoReturns) {
+  Cloud cloud{.x = {0, 5}, .y = {0, 5}, .z = {0, 1}, .ring = {0, 0}, .time_s = {0.05, 0.0}};
+  Scan scan = organise(cloud).scan;
+  scan.motion = motion_to({.rotation = {}, .translation = {1.6, 0.0, 0.0}});
+  const Scan moved = deskew(scan);
+  EXPECT_EQ(moved.range[0], 0.0F);
+  EXPECT_EQ(moved.point(0), Vec3{});
+}
+
+// Oracle: every point by the poses themselves, one by one.
+RC_GTEST_PROP(Deskew, AgreesWithInterpolatedPoses, ()) {
+  const auto milli = [] { return *rc::gen::inRange(-1500, 1500) * 1e-3; };
+  const auto pose = [&] {
+    return Pose{from_yaw_pitch_roll(2.0 * milli(), milli(), milli()), {20.0 * milli(), milli(), milli()}};
+  };
+  Scan scan = organise(testing::simulate(testing::plan(3, -15.0, 5.0, 40))).scan;
+  scan.motion = Motion{.T_world_sensor_begin = pose(), .T_world_sensor_end = pose()};
+  const Scan moved = deskew(scan);
+  std::vector<Vec3> expected(scan.size());
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const double t = scan.time_offset_ns[i] / 1e8;
+    const Pose T_world_then =
+        interpolate(scan.motion->T_world_sensor_begin, scan.motion->T_world_sensor_end, t);
+    expected[scan.input_index[i]] =
+        inverse(scan.motion->T_world_sensor_begin) * (T_world_then * scan.point(i));
+  }
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    RC_ASSERT(norm(moved.point(i) - expected[moved.input_index[i]]) < 1e-4);
+  }
+}
+
+TEST(Deskew, RingsStayWholeAndInOrder) {
+  Scan scan = organise(testing::simulate(testing::plan(8, -15.0, 5.0, 360))).scan;
+  scan.motion = motion_to({.rotation = from_yaw_pitch_roll(0.3, 0.0, 0.0), .translation = {1.6, 0.2, 0.0}});
+  const Scan moved = deskew(scan);
+  ASSERT_EQ(moved.ring_begin, scan.ring_begin);
+  for (std::size_t r = 0; r < moved.ring_count(); ++r) {
+    const auto begin = moved.azimuth.begin() + moved.ring_begin[r];
+    EXPECT_TRUE(std::is_sorted(begin, moved.azimuth.begin() + moved.ring_begin[r + 1]));
+  }
+  EXPECT_EQ(flatten(moved).ring, flatten(scan).ring);
 }
 
 }  // namespace verge

@@ -16,14 +16,14 @@ namespace verge {
 /// A cloud as a file stores it: points in the file's order, already in x forward, y left, z up. Optional
 /// columns are empty.
 struct Cloud {
-  std::vector<float> x, y, z;
-  std::vector<float> intensity;
-  std::vector<std::int64_t> ring;  ///< As the source numbers its rings: any integers, in any order.
-  std::vector<double> time_s;      ///< Seconds, relative or absolute.
-  std::vector<std::uint8_t> echo;
-  std::vector<float> pulse_width;
-  std::vector<std::uint32_t> flags;
-  std::vector<std::uint32_t> label;
+  std::vector<float> x{}, y{}, z{};
+  std::vector<float> intensity{};
+  std::vector<std::int64_t> ring{};  ///< As the source numbers its rings: any integers, in any order.
+  std::vector<double> time_s{};      ///< Seconds; since the Unix epoch where beyond 1e8, else relative.
+  std::vector<std::uint8_t> echo{};
+  std::vector<float> pulse_width{};
+  std::vector<std::uint32_t> flags{};
+  std::vector<std::uint32_t> label{};
 };
 
 /// Where the rings of a scan came from.
@@ -45,13 +45,20 @@ struct Organised {
                      ///< finite)".
 };
 
-/// Puts a cloud in rings: by its ring field if it has one, else by the order of the points where they turn
-/// ring by ring, else by elevation. Points that are not finite or lie beyond 1e5 m are dropped and counted;
-/// points of range 0 stay. Equal azimuths keep the order of z, then of the input, so that the result does not
-/// depend on the input's order where rings are known.
+/// Puts a cloud in rings: by its ring field if it has one, else by the order of the points where they stand
+/// ring by ring, else by elevation. Every column must be empty or as long as x.
+///
+/// Rings are ordered by median elevation, whatever the field's numbers; a ring without returns stays beside
+/// its neighbour by number. Points that are not finite or lie beyond 1e5 m are dropped and counted; points of
+/// range 0 stay. Equal azimuths go by z, x, y, intensity and the other columns, and only then by the input's
+/// order, so that where rings are known (or found by elevation) nothing but input_index depends on the
+/// input's order. stamp_ns and time_offset_ns come from time_s, counted from the earliest point; times that
+/// are not finite or more than 4.29 s apart are left out, and the note says so. Defined for every cloud; an
+/// empty one has no rings.
 [[nodiscard]] Organised organise(Cloud cloud);
 
-/// The points back in the input's order, bit for bit (dropped ones are missing).
+/// The points back in the input's order, bit for bit (dropped ones are missing), with the scan's own ring
+/// numbers; times to the nanosecond. A scan without input_index keeps its own order.
 [[nodiscard]] Cloud flatten(const Scan& scan);
 
 }  // namespace verge

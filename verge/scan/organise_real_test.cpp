@@ -76,4 +76,34 @@ TEST(OrganiseReal, Hdl32RingsComeBackFromElevation) {
   EXPECT_EQ(organised.scan.ring_count(), 32U) << organised.note;
 }
 
+TEST(OrganiseReal, FlatteningGivesRealScansBackBitForBit) {
+  VERGE_NEEDS_DATA();
+  const Cloud hdl64 = testing::read_kitti(*data_folder() / "semantickitti/sequences/00/velodyne/000000.bin");
+  const Cloud hdl32 = testing::read_nuscenes(*data_folder() / "nuscenes-hdl32/raw/n015.pcd.bin");
+  for (const Cloud& cloud : {hdl64, hdl32}) {
+    ASSERT_GT(cloud.x.size(), 30000U);
+    const Cloud back = flatten(organise(cloud).scan);
+    EXPECT_TRUE(back.x == cloud.x && back.y == cloud.y && back.z == cloud.z);
+    EXPECT_TRUE(back.intensity == cloud.intensity);
+  }
+}
+
+TEST(OrganiseReal, ShufflingChangesNothingWhereRingsAreKnown) {
+  VERGE_NEEDS_DATA();
+  const Cloud cloud = testing::read_nuscenes(*data_folder() / "nuscenes-hdl32/raw/n015.pcd.bin");
+  ASSERT_GT(cloud.x.size(), 30000U);
+  const Scan a = organise(cloud).scan;
+  const Scan b = organise(testing::shuffled(cloud, 11)).scan;
+  EXPECT_EQ(a.ring_begin, b.ring_begin);
+  EXPECT_TRUE(a.x == b.x && a.y == b.y && a.z == b.z && a.azimuth == b.azimuth && a.range == b.range);
+  EXPECT_TRUE(a.intensity == b.intensity);
+}
+
+TEST(OrganiseReal, ShuffledHdl64IsNotTakenForRingByRing) {
+  VERGE_NEEDS_DATA();
+  const Cloud cloud = testing::read_kitti(*data_folder() / "semantickitti/sequences/00/velodyne/000000.bin");
+  ASSERT_GT(cloud.x.size(), 100000U);
+  EXPECT_EQ(organise(testing::shuffled(cloud, 3)).source, RingSource::kElevation);
+}
+
 }  // namespace verge

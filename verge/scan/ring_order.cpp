@@ -135,7 +135,11 @@ void measure_directions(Scan& scan) {
   float* const azimuth = scan.azimuth.data();
   float* const range = scan.range.data();
   for (std::size_t i = 0; i < n; ++i) azimuth[i] = fast_atan2(y[i], x[i]);
-  for (std::size_t i = 0; i < n; ++i) range[i] = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const float squares = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+    // Where the squares vanish, the point need not: range 0 is the origin alone.
+    range[i] = squares > 0.0F ? std::sqrt(squares) : std::fabs(x[i]) + std::fabs(y[i]) + std::fabs(z[i]);
+  }
 }
 
 void sort_rings_by_azimuth(const Scan& scan, std::span<const std::uint32_t> ring_begin,

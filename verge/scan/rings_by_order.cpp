@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "verge/scan/rings.hpp"
 
@@ -47,26 +48,32 @@ int direction_of(const Scan& scan, const std::vector<std::uint32_t>& returns) {
   return 0;
 }
 
-// Within the arc of `width` from `from` on (in the turn's direction), the azimuth where the elevation keeps
-// stepping from one ring to the next.
+// Within the arc of `width` from `from` on (in the turn's direction), the azimuth that most of the steps in
+// elevation from one ring to the next reach across.
 float steepest_azimuth(const Scan& scan, const std::vector<std::uint32_t>& returns, float sign, float from,
                        float width) {
   constexpr std::size_t kBins = 256;
-  constexpr float kStepMax = 0.02F;  // more than that is a jump of range, not of ring
-  std::array<float, kBins> steps{};
+  constexpr float kRiseMax = 0.02F;  // more than that is a jump of range, not of ring
+  const auto bin_of = [width](float at) {
+    return static_cast<std::size_t>(std::clamp(at / width, 0.0F, 1.0F) * static_cast<float>(kBins));
+  };
+  std::array<double, kBins + 2> rises{};  // first as changes from bin to bin
   for (std::size_t k = 1; k < returns.size(); ++k) {
     const std::uint32_t a = returns[k - 1];
     const std::uint32_t b = returns[k];
-    if (std::fabs(to_step(scan.azimuth[b] - scan.azimuth[a])) > width) continue;
-    const float at = to_turn(sign * (scan.azimuth[b] - from)) / width;
-    if (at >= 1.0F) continue;
+    const float end = to_turn(sign * (scan.azimuth[b] - from));
+    const float begin = end - sign * to_step(scan.azimuth[b] - scan.azimuth[a]);
+    if (begin >= width || begin >= end) continue;
     const float rise = scan.z[b] / scan.range[b] - scan.z[a] / scan.range[a];
-    steps[static_cast<std::size_t>(at * kBins)] += std::clamp(rise, -kStepMax, kStepMax);
+    const auto bounded = static_cast<double>(std::clamp(rise, -kRiseMax, kRiseMax));
+    rises[bin_of(begin)] += bounded;
+    rises[bin_of(end) + 1] -= bounded;
   }
-  const auto steepest = std::max_element(steps.begin(), steps.end(),
-                                         [](float a, float b) { return std::fabs(a) < std::fabs(b); });
-  const auto bin = static_cast<float>(steepest - steps.begin());
-  return from + sign * width * bin / static_cast<float>(kBins);
+  std::partial_sum(rises.begin(), rises.end(), rises.begin());
+  const auto steepest = std::max_element(rises.begin(), rises.end(),
+                                         [](double a, double b) { return std::fabs(a) < std::fabs(b); });
+  const auto bin = static_cast<float>(steepest - rises.begin());
+  return from + sign * width * (bin + 0.5F) / static_cast<float>(kBins);
 }
 
 // The azimuth from which every ring starts: it lies in the gap between the last point and the first.
