@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/sim/lidar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include "verge/core/angle.hpp"
+#include "verge/sensor/hdl32e.hpp"
+
+namespace verge::sim {
+namespace {
+
+constexpr double kHeight_m = 1.9;
+const NoiseConfig kNoNoise{.seed = 1, .range_sigma_m = 0.0, .dropout_at_range_max = 0.0};
+
+Caster flat_ground() {
+  World world;
+  add_ground(world, {0.0, 0.0, 0.0}, 500.0, Surface::kGround);
+  return Caster(std::move(world));
+}
+
+// Four walls and a roof around the sensor: every shot comes back.
+Caster closed_room() {
+  World world;
+  add_ground(world, {0.0, 0.0, 0.0}, 30.0, Surface::kRoad);
+  add_box(world, {{0.0, 0.0, -1.0}, {40.0, 40.0, 30.0}, 0.3}, Surface::kWall);
+  return Caster(std::move(world));
+}
+
+Trajectory standing() {
+  return [](std::int64_t) { return Pose{{}, {0.0, 0.0, kHeight_m}}; };
+}
+
+sensor::BeamModel exact_hdl32e() {
+  sensor::BeamModel model = sensor::hdl32e();
+  model.range_resolution_m = 0.0;
+  return model;
+}
+
+TEST(Revolution, EachRingOfFlatGroundLiesWithinAMillionthOfHeightOverTangent) {
+  sensor::BeamModel model = exact_hdl32e();
+  const Scan scan = simulate_revolution(flat_ground(), model, standing(), 0, kNoNoise);
+  std::vector<double> elevations;
+  for (const sensor::Laser& laser : model.lasers) elevations.push_back(laser.elevation_rad);
+  std::sort(elevations.begin(), elevations.end());
+  ASSERT_GE(scan.ring_count(), 23U);
+  for (std::size_t ring = 0; ring < 23; ++ring) {
+    const double expected = kHeight_m / std::tan(-elevations[ring]);
+    const auto [begin, end] = scan.ring(ring);
+    ASSERT_GE(end - begin, 2170U) << "ring " << ring;
+    for (std::size_t i = begin; i < end; ++i) {
+      EXPECT_NEAR(norm(scan.point(i).xy()), expected, 1e-6 * expected);
+    }
+  }
+  EXPECT_EQ(scan.ring_begin[23], scan.size());  // the horizon and above meet nothing
+}
+
+TEST(Revolution, InAClosedRoomEveryShotOfEveryFiringComesBackOnce) {
+  const Scan scan = simulate_revolution(closed_room(), exact_hdl32e(), standing(), 0, kNoNoise);
+  ASSERT_EQ(scan.ring_count(), 32U);
+  EXPECT_EQ(scan.size(), 32U * 2171U);  // 2170.14 firings a revolution: the first holds 2171 starts
+  std::vector<std::uint32_t> order = scan.input_index;
+  std::sort(order.begin(), order.end());
+  for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i);
+}
+
+TEST(Revolution, SuccessiveRevolutionsFollowEachOtherWithoutGapOrOverlap) {
+  const Caster room = closed_room();
+  const sensor::BeamModel model = exact_hdl32e();
+  std::int64_t next_ns = 0;
+  for (std::uint64_t index = 0; index < 9; ++index) {
+    const Scan scan = simulate_revolution(room, model, standing(), index, kNoNoise);
+    EXPECT_EQ(scan.stamp_ns, next_ns);
+    EXPECT_LT(next_ns - static_cast<std::int64_t>(index) * 100'000'000, model.firing_period_ns);
+    next_ns += scan.motion->duration_ns;
+  }
+}
+
+TEST(Revolution, TheAzimuthOfAPointIsThatOfTheHeadAtItsTime) {
+  const Scan scan = simulate_revolution(closed_room(), exact_hdl32e(), standing(), 0, kNoNoise);
+  for (std::size_t i = 0; i < scan.size(); i += 7) {
+    const double turned = 2.0 * std::numbers::pi * scan.time_offset_ns[i] / 100e6;
+    const double expected = std::numbers::pi - turned;  // clockwise from the rear
+    EXPECT_NEAR(wrap_pi(static_cast<double>(scan.azimuth[i]) - expected), 0.0, 1e-6);
+  }
+}
+
+TEST(Revolution, LasersOfOneFiringFollowTheFiringOrder) {
+  const sensor::BeamModel model = exact_hdl32e();
+  const Scan scan = simulate_revolution(closed_room(), model, standing(), 0, kNoNoise);
+  const std::vector<std::size_t> rings = sensor::rings_of(model);
+  for (std::size_t ring = 0; ring < scan.ring_count(); ++ring) {
+    const auto laser = std::find(rings.begin(), rings.end(), ring) - rings.begin();
+    const auto [begin, end] = scan.ring(ring);
+    for (std::size_t i = begin; i < end; i += 101) {
+      EXPECT_EQ(scan.time_offset_ns[i] % 46'080U, 1152U * static_cast<std::uint32_t>(laser));
+    }
+  }
+}
+
+TEST(Revolution, RangesAreMultiplesOfTheSensorsResolution) {
+  const NoiseConfig noise{.seed = 4, .range_sigma_m = 0.02, .dropout_at_range_max = 0.0};
+  const Scan scan = simulate_revolution(closed_room(), sensor::hdl32e(), standing(), 0, noise);
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const double counts = norm(scan.point(i)) / 0.002;
+    EXPECT_NEAR(counts, std::round(counts), 1e-2);  // x, y, z are single precision
+  }
+}
+
+TEST(Revolution, NoiseHasTheAskedMeanAndDeviation) {
+  const Caster room = closed_room();
+  const NoiseConfig noise{.seed = 11, .range_sigma_m = 0.02, .dropout_at_range_max = 0.0};
+  const Scan clean = simulate_revolution(room, exact_hdl32e(), standing(), 0, kNoNoise);
+  const Scan noisy = simulate_revolution(room, exact_hdl32e(), standing(), 0, noise);
+  ASSERT_EQ(clean.size(), noisy.size());
+  std::vector<double> range_of_shot(clean.size());
+  for (std::size_t i = 0; i < clean.size(); ++i) range_of_shot[clean.input_index[i]] = norm(clean.point(i));
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < noisy.size(); ++i) {
+    const double error = norm(noisy.point(i)) - range_of_shot[noisy.input_index[i]];
+    sum += error;
+    squares += error * error;
+  }
+  const double n = static_cast<double>(clean.size());
+  EXPECT_NEAR(sum / n, 0.0, 4.0 * 0.02 / std::sqrt(n));
+  EXPECT_NEAR(std::sqrt(squares / n), 0.02, 4.0 * 0.02 / std::sqrt(2.0 * n));
+}
+
+TEST(Revolution, TheShareOfLostReturnsGrowsWithTheSquareOfTheRange) {
+  const NoiseConfig noise{.seed = 5, .range_sigma_m = 0.0, .dropout_at_range_max = 0.8};
+  const sensor::BeamModel model = exact_hdl32e();
+  const Caster ground = flat_ground();
+  const Scan all = simulate_revolution(ground, model, standing(), 0, kNoNoise);
+  const Scan kept = simulate_revolution(ground, model, standing(), 0, noise);
+  ASSERT_GE(kept.ring_count(), 23U);
+  for (std::size_t ring = 19; ring < 23; ++ring) {
+    const double shots = static_cast<double>(all.ring(ring).second - all.ring(ring).first);
+    const double returns = static_cast<double>(kept.ring(ring).second - kept.ring(ring).first);
+    const double range = norm(all.point(all.ring(ring).first));
+    const double share = 0.8 * (range / 100.0) * (range / 100.0);
+    EXPECT_NEAR(1.0 - returns / shots, share, 4.0 * std::sqrt(share / shots)) << "range " << range;
+  }
+}
+
+TEST(Revolution, NothingIsReportedBeyondTheSensorsReach) {
+  sensor::BeamModel model = exact_hdl32e();
+  model.range_min_m = 4.0;
+  model.range_max_m = 20.0;
+  const Scan scan = simulate_revolution(flat_ground(), model, standing(), 0, kNoNoise);
+  ASSERT_GT(scan.size(), 1000U);
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    EXPECT_GE(norm(scan.point(i)), 4.0 - 1e-5);
+    EXPECT_LE(norm(scan.point(i)), 20.0 + 1e-5);
+  }
+}
+
+TEST(Revolution, EachShotSeesTheWorldFromItsOwnPose) {
+  World world;
+  add_quad(world, {50, -99, -99}, {50, 99, -99}, {50, 99, 99}, {50, -99, 99}, Surface::kWall);
+  const double speed = 60.0 / 3.6;
+  const auto driving = [=](std::int64_t ns) {
+    return Pose{{}, {speed * 1e-9 * static_cast<double>(ns), 0.0, kHeight_m}};
+  };
+  const Scan scan = simulate_revolution(Caster(std::move(world)), exact_hdl32e(), driving, 3, kNoNoise);
+  ASSERT_GT(scan.size(), 1000U);
+  const double begin_m = speed * 1e-9 * static_cast<double>(*scan.stamp_ns);
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const double driven_m = begin_m + speed * 1e-9 * scan.time_offset_ns[i];
+    EXPECT_NEAR(static_cast<double>(scan.x[i]), 50.0 - driven_m, 1e-5);
+  }
+}
+
+TEST(Revolution, LabelsSayWhichSurfaceWasHit) {
+  const Scan scan = simulate_revolution(closed_room(), exact_hdl32e(), standing(), 0, kNoNoise);
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const bool on_floor = std::fabs(static_cast<double>(scan.z[i]) + kHeight_m) < 1e-4;
+    const auto floor = static_cast<std::uint32_t>(Surface::kRoad);
+    ASSERT_EQ(scan.label[i] == floor, on_floor);
+  }
+}
+
+auto columns(const Scan& s) {
+  return std::tie(s.frame, s.stamp_ns, s.ring_begin, s.x, s.y, s.z, s.azimuth, s.range, s.intensity,
+                  s.time_offset_ns, s.label, s.input_index);
+}
+
+TEST(Revolution, OneAndManyThreadsGiveTheSameBytes) {
+  const Caster room = closed_room();
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism,
+                                  8);  // whatever the machine has
+  const auto with_threads = [&](int threads) {
+    tbb::task_arena arena(threads);
+    return arena.execute(
+        [&] { return simulate_revolution(room, sensor::hdl32e(), standing(), 2, NoiseConfig{}); });
+  };
+  const Scan one = with_threads(1);
+  EXPECT_EQ(columns(one), columns(with_threads(4)));
+  EXPECT_EQ(columns(one), columns(with_threads(7)));
+}
+
+TEST(Revolution, TheSeedAndTheScanChangeTheNoise) {
+  const Caster room = closed_room();
+  const sensor::BeamModel model = sensor::hdl32e();
+  const Scan scan = simulate_revolution(room, model, standing(), 0, {.seed = 1});
+  EXPECT_EQ(scan.x, simulate_revolution(room, model, standing(), 0, {.seed = 1}).x);
+  EXPECT_NE(scan.x, simulate_revolution(room, model, standing(), 0, {.seed = 2}).x);
+  EXPECT_NE(scan.x, simulate_revolution(room, model, standing(), 1, {.seed = 1}).x);
+}
+
+TEST(Revolution, AnEmptyWorldGivesAnEmptyScan) {
+  const Scan scan = simulate_revolution(Caster(World{}), sensor::hdl32e(), standing(), 0, NoiseConfig{});
+  EXPECT_EQ(scan.size(), 0U);
+  EXPECT_EQ(scan.stamp_ns, 0);
+}
+
+TEST(Revolution, RefusesASensorOrNoiseThatCannotBe) {
+  const Caster room = closed_room();
+  const auto simulate = [&](const sensor::BeamModel& model, const NoiseConfig& noise) {
+    (void)simulate_revolution(room, model, standing(), 0, noise);
+  };
+  EXPECT_THROW(simulate(sensor::BeamModel{}, NoiseConfig{}), std::invalid_argument);
+  EXPECT_THROW(simulate(sensor::hdl32e(), {.range_sigma_m = -0.1}), std::invalid_argument);
+  EXPECT_THROW(simulate(sensor::hdl32e(), {.dropout_at_range_max = 1.1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace verge::sim
