@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verge/scan/organise.hpp"
+
+namespace verge::io {
+
+/// What a format's reader makes of a file: the points in the file's order, x forward, y left, z up.
+struct Decoded {
+  Cloud cloud;  ///< time_s runs from the first point where the file has absolute times.
+  std::optional<std::int64_t> stamp_ns;  ///< Time of the first point, where the file says so.
+  std::vector<std::string> notes;        ///< What was decided or left out, one line each.
+};
+
+}  // namespace verge::io

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <set>
+#include <utility>
+
+#include <fmt/core.h>
+#include <sys/stat.h>
+
+#include "verge/io/decode.hpp"
+#include "verge/io/files.hpp"
+#include "verge/io/kitti_sequence.hpp"
+#include "verge/io/sniff.hpp"
+#include "verge/io/source.hpp"
+
+namespace verge::io {
+namespace fs = std::filesystem;
+namespace {
+
+InputLimits limits_of(const OpenOptions& options) { return {options.memory_max_bytes, options.timeout_ms}; }
+
+/// Files, each with one scan.
+class FileSource final : public Source {
+ public:
+  FileSource(const OpenOptions& options, SourceInfo info) : options_(options), info_(std::move(info)) {}
+
+  [[nodiscard]] Expected<std::optional<Scan>> next() override;
+  [[nodiscard]] const SourceInfo& info() const override { return info_; }
+
+  /// The first file, which opening has read already: a pipe can be read but once.
+  void hold(Input first) { first_ = std::move(first); }
+  /// What stands beside the files; rows[i] belongs to file i.
+  void attach(KittiSequence sequence, std::vector<std::size_t> rows) {
+    sequence_ = std::move(sequence);
+    rows_ = std::move(rows);
+  }
+
+ private:
+  [[nodiscard]] Expected<Input> open_next();
+  void report(const DecodedScan& decoded, const fs::path& file);
+
+  OpenOptions options_;
+  SourceInfo info_;
+  KittiSequence sequence_;
+  std::vector<std::size_t> rows_;
+  std::size_t next_ = 0;
+  std::optional<Input> first_;
+  Buffer buffer_;
+  std::optional<RingSource> ring_source_;
+  std::set<std::string> said_;
+};
+
+Expected<Input> FileSource::open_next() {
+  if (next_ == 0 && first_) return std::move(*std::exchange(first_, std::nullopt));
+  return Input::open(info_.files[next_], limits_of(options_), std::move(buffer_));
+}
+
+/// Notes once, not at each of thousands of scans: the rings' when they are found another way than before.
+void FileSource::report(const DecodedScan& decoded, const fs::path& file) {
+  constexpr std::size_t kMostNotes = 16;
+  const auto say = [&](const std::string& text) {
+    note(options_.log, fmt::format("{}: {}", file.string(), text));
+  };
+  if (name_lies(file, decoded.format) && said_.insert("name").second) {
+    say(fmt::format("is {} by its content", enum_names<Format>[static_cast<std::size_t>(decoded.format)]));
+  }
+  for (const std::string& text : decoded.notes) {
+    if (said_.size() < kMostNotes && said_.insert(text).second) say(text);
+  }
+  if (ring_source_ != decoded.organised.source) say(decoded.organised.note);
+  ring_source_ = decoded.organised.source;
+}
+
+Expected<std::optional<Scan>> FileSource::next() {
+  if (next_ >= info_.files.size()) return std::nullopt;
+  auto input = open_next();
+  const std::size_t index = next_++;
+  if (!input) return Unexpected(input.error());
+  auto decoded = decode_input(*input, options_.format, info_.format);
+  buffer_ = std::move(*input).take_buffer();
+  if (!decoded) return Unexpected(decoded.error());
+  report(*decoded, info_.files[index]);
+  Scan scan = std::move(decoded->organised.scan);
+  if (index < rows_.size()) sequence_.attach(scan, rows_[index]);
+  return scan;
+}
+
+/// Only the frames asked for.
+template <class T>
+std::vector<T> slice(const std::vector<T>& all, const OpenOptions& options) {
+  const std::size_t end = std::min(options.frames_end.value_or(all.size()), all.size());
+  const std::size_t begin = std::min(options.frames_begin, end);
+  return {all.begin() + static_cast<std::ptrdiff_t>(begin), all.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+/// The format of the first file that has one; the first file's trouble where none has.
+Expected<Format> first_format(const std::vector<fs::path>& files, const OpenOptions& options) {
+  if (options.format) return *options.format;
+  std::optional<Error> trouble;
+  for (const fs::path& file : files) {
+    auto input = Input::open(file, limits_of(options));
+    const auto format = input ? sniff(*input) : Expected<Format>(Unexpected(input.error()));
+    if (format) return *format;
+    if (!trouble) trouble = format.error();
+  }
+  return Unexpected(*trouble);
+}
+
+Expected<std::unique_ptr<Source>> open_folder(const fs::path& folder, const OpenOptions& options) {
+  auto found = find_scan_files(folder, options.format);
+  if (!found) return Unexpected(found.error());
+  const auto format = first_format(found->files, options);
+  if (!format) return Unexpected(format.error());
+  auto source = std::make_unique<FileSource>(options, SourceInfo{*format, slice(found->files, options)});
+  if (*format == Format::kKitti) {
+    KittiSequence sequence = find_kitti_sequence(found->folder, limits_of(options), options.log);
+    const std::size_t rows = std::max(sequence.stamps_ns.size(), sequence.T_world_sensor.size());
+    const std::vector<std::size_t> row_of = kitti_rows(found->files, rows);
+    if (rows > 0 && row_of.empty()) {
+      warn(options.log,
+           fmt::format("{} times or poses do not fit {} files: not used", rows, found->files.size()));
+    }
+    source->attach(std::move(sequence), slice(row_of, options));
+  }
+  return source;
+}
+
+Expected<std::unique_ptr<Source>> open_file(const fs::path& path, const OpenOptions& options) {
+  auto input = Input::open(path, limits_of(options));
+  if (!input) return Unexpected(input.error());
+  const auto format = options.format ? Expected<Format>(*options.format) : sniff(*input);
+  if (!format) return Unexpected(format.error());
+  auto source = std::make_unique<FileSource>(options, SourceInfo{*format, slice(std::vector{path}, options)});
+  if (!source->info().files.empty()) source->hold(std::move(*input));
+  if (*format == Format::kKitti) {
+    KittiSequence sequence = find_kitti_sequence(path.parent_path(), limits_of(options), options.log);
+    const std::size_t rows = std::max(sequence.stamps_ns.size(), sequence.T_world_sensor.size());
+    const std::vector<std::size_t> row_of = kitti_rows({path}, rows);
+    source->attach(std::move(sequence), slice(row_of, options));
+  }
+  return source;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<Source>> open(const fs::path& path, const OpenOptions& options) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) {
+    return Unexpected({ErrorCode::kCannotOpen,
+                       path.string(),
+                       {},
+                       fmt::format("cannot open: {}", std::strerror(errno)),
+                       {},
+                       {}});
+  }
+  return S_ISDIR(status.st_mode) ? open_folder(path, options) : open_file(path, options);
+}
+
+}  // namespace verge::io

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/io/sniff.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "verge/io/format/csv.hpp"
+#include "verge/io/format/floats.hpp"
+#include "verge/io/text.hpp"
+
+namespace verge::io {
+namespace {
+
+constexpr std::uint64_t kLook = 128ULL << 10U;
+constexpr std::array<std::string_view, 5> kSuffixes{".pcd.bin", ".bin", ".pcd", ".ply", ".csv"};
+
+std::string lower_name(const std::filesystem::path& path) {
+  std::string name = path.filename().string();
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name;
+}
+
+/// What packed the file, if something did that we do not unpack.
+std::string_view packer_of(std::string_view head) {
+  using namespace std::string_view_literals;
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kMagics{
+      {{"\x1F\x8B"sv, "gzip"},
+       {"BZh"sv, "bzip2"},
+       {"\xFD"
+        "7zXZ\0"sv,
+        "xz"},
+       {"\x28\xB5\x2F\xFD"sv, "zstd"},
+       {"PK\x03\x04"sv, "zip"}}};
+  for (const auto& [magic, name] : kMagics) {
+    if (head.starts_with(magic)) return name;
+  }
+  return {};
+}
+
+bool is_utf16(std::string_view head) { return head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF"); }
+
+bool is_ply(std::string_view head) {
+  return head.starts_with("ply\n") || head.starts_with("ply\r") || head == "ply";
+}
+
+/// A PCD file begins with its comment or, without it, with one of its first entries.
+bool is_pcd(std::string_view head) {
+  LineReader lines(head);
+  while (const auto line = lines.next()) {
+    if (line->starts_with('#') && line->substr(0, 64).find(".PCD") != std::string_view::npos) return true;
+    if (line->empty() || line->front() == '#') continue;
+    return line->starts_with("VERSION ") || line->starts_with("FIELDS ") || line->starts_with("COLUMNS ");
+  }
+  return false;
+}
+
+/// What the two .bin formats have for them.
+struct BinCheck {
+  RowCheck kitti;
+  RowCheck nuscenes;
+  bool kitti_size = false;
+  bool nuscenes_size = false;
+
+  [[nodiscard]] bool is_kitti() const { return kitti.plausible() && kitti.has_intensities(); }
+  [[nodiscard]] bool is_nuscenes() const { return nuscenes.plausible() && nuscenes.has_rings(); }
+  [[nodiscard]] bool beyond_doubt() const {
+    return (is_kitti() && kitti_size && kitti.all_coordinates()) ||
+           (is_nuscenes() && nuscenes_size && nuscenes.all_coordinates());
+  }
+};
+
+BinCheck check_bin(const Input& input, Bytes head) {
+  return {check_rows(head, 4), check_rows(head, 5), input.size() % 16 == 0, input.size() % 20 == 0};
+}
+
+/// By the names that the two data sets give their files and folders.
+std::optional<Format> bin_by_name(const std::filesystem::path& path) {
+  if (scan_suffix(path) == ".pcd.bin") return Format::kNuscenes;
+  for (const std::filesystem::path& part : path.parent_path()) {
+    if (part == "velodyne" || part == "velodyne_points") return Format::kKitti;
+    if (part == "LIDAR_TOP") return Format::kNuscenes;
+  }
+  return std::nullopt;
+}
+
+Expected<Format> choose_bin(const Input& input, const BinCheck& check, std::optional<Format> neighbours) {
+  if (check.is_kitti() != check.is_nuscenes()) return check.is_kitti() ? Format::kKitti : Format::kNuscenes;
+  if (check.kitti_size != check.nuscenes_size) return check.kitti_size ? Format::kKitti : Format::kNuscenes;
+  if (const auto named = bin_by_name(input.name())) return *named;
+  if (neighbours) return *neighbours;
+  if (!check.kitti_size) {
+    return Unexpected(input.error_at(ErrorCode::kUnusable, input.size() - input.size() % sizeof(float),
+                                     "size is not a whole number of points",
+                                     fmt::format("{} B", input.size()),
+                                     "a multiple of 16 B (kitti) or 20 B (nuscenes)"));
+  }
+  if (check.is_kitti()) {
+    return Unexpected(
+        input.error_at(ErrorCode::kUsage, 0, "kitti and nuscenes fit alike: choose the format"));
+  }
+  return 2 * check.nuscenes.rings >= check.nuscenes.rows ? Format::kNuscenes : Format::kKitti;
+}
+
+std::optional<Format> format_of_suffix(std::string_view suffix) {
+  if (suffix == ".pcd") return Format::kPcd;
+  if (suffix == ".ply") return Format::kPly;
+  if (suffix == ".csv") return Format::kCsv;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string scan_suffix(const std::filesystem::path& path) {
+  const std::string name = lower_name(path);
+  for (const std::string_view suffix : kSuffixes) {
+    if (name.size() > suffix.size() && name.ends_with(suffix)) return std::string(suffix);
+  }
+  return {};
+}
+
+std::string frame_name(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  const std::string suffix = scan_suffix(path);
+  return suffix.empty() ? path.stem().string() : name.substr(0, name.size() - suffix.size());
+}
+
+bool name_lies(const std::filesystem::path& path, Format format) {
+  const std::string suffix = scan_suffix(path);
+  if (suffix.empty()) return false;
+  if (suffix.ends_with(".bin")) return format != Format::kKitti && format != Format::kNuscenes;
+  return format_of_suffix(suffix) != format;
+}
+
+Expected<Format> sniff(Input& input, std::optional<Format> bin) {
+  if (input.size() == 0) return Unexpected(input.error_at(ErrorCode::kUnusable, 0, "is empty"));
+  const auto bytes = input.head(kLook);
+  if (!bytes) return Unexpected(bytes.error());
+  const std::string_view head = as_text(*bytes);
+  if (is_ply(head)) return Format::kPly;
+  if (is_pcd(head)) return Format::kPcd;
+  if (looks_like_table(head)) return Format::kCsv;
+  const std::string suffix = scan_suffix(input.name());
+  const BinCheck check = check_bin(input, *bytes);
+  if (check.beyond_doubt()) return choose_bin(input, check, bin);
+  if (const std::string_view packer = packer_of(head); !packer.empty()) {
+    return Unexpected(input.error_at(ErrorCode::kUnusable, 0,
+                                     fmt::format("is compressed with {}: unpack it first", packer)));
+  }
+  if (is_utf16(head)) {
+    return Unexpected(
+        input.error_at(ErrorCode::kUnusable, 0, "is UTF-16 text", "a UTF-16 byte order mark", "UTF-8"));
+  }
+  if (suffix.ends_with(".bin")) return choose_bin(input, check, bin);
+  if (const auto named = format_of_suffix(suffix)) return *named;  // its reader says what is wrong
+  return Unexpected(input.error_at(ErrorCode::kUnusable, 0, "no known format fits", {},
+                                   "kitti, nuscenes, pcd, ply or csv"));
+}
+
+}  // namespace verge::io
