@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "verge/core/fields.hpp"
@@ -25,10 +26,20 @@ struct Mount {
   friend bool operator==(const Mount&, const Mount&) = default;
 };
 
-/// p in the level frame of `mount`.
-[[nodiscard]] Vec3 to_level(const Mount& mount, Vec3 p_sensor);
-/// Back: the inverse of to_level.
-[[nodiscard]] Vec3 to_sensor(const Mount& mount, Vec3 p_level);
+/// The rotation and shift of a mount, worked out once for many points.
+class LevelFrame {
+ public:
+  explicit LevelFrame(const Mount& mount);
+
+  /// p in the level frame.
+  [[nodiscard]] Vec3 to_level(Vec3 p_sensor) const;
+  /// Back: the inverse of to_level.
+  [[nodiscard]] Vec3 to_sensor(Vec3 p_level) const;
+
+ private:
+  std::array<Vec3, 3> rows_;  // of the rotation from the sensor's frame to the level one
+  double height_m_;
+};
 
 /// What is known of a mount beforehand; what is not is estimated from the scan.
 struct MountHint {
@@ -52,11 +63,13 @@ struct MountConfig {
           {"reach_m", "m", 2.0, 100.0, "returns farther away do not count for the road's plane", "ours"});
     visit(self.height_max_m,
           {"height_max_m", "m", 0.1, 50.0, "greatest height of a sensor over the road", "ours"});
-    visit(self.tilt_max_rad, {"tilt_max_rad", "rad", 0.0, 1.5, "greatest pitch and roll looked for", "ours"});
+    visit(self.tilt_max_rad,
+          {"tilt_max_rad", "rad", 0.0, 1.0, "greatest pitch and roll that are looked for", "ours"});
     visit(self.inlier_m, {"inlier_m", "m", 0.005, 1.0,
-                          "scale of the robust fit: roughness of road and noise of range", "ours"});
+                          "scale of the robust fit: the road's roughness and the range's noise", "ours"});
     visit(self.heading_max_rad,
-          {"heading_max_rad", "rad", 0.0, 1.5708, "the road is looked for within this angle of +x", "ours"});
+          {"heading_max_rad", "rad", 0.0, 0.7854,
+           "the road is looked for within this angle of +x; 0: it runs along +x", "ours"});
   }
 };
 
