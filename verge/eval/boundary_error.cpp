@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/eval/boundary_error.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "verge/core/polyline.hpp"
+#include "verge/core/vec.hpp"
+
+namespace verge::eval {
+namespace {
+
+using Line = std::vector<Vec2>;
+
+Line in_plane(const Boundary& boundary) {
+  Line line;
+  line.reserve(boundary.points.size());
+  for (const Vec3& p : boundary.points) line.push_back(p.xy());
+  return line;
+}
+
+// The share of the segment a-b inside the circle around the origin, as its two ends in [0, 1].
+std::optional<std::pair<double, double>> share_inside(Vec2 a, Vec2 b, double radius) {
+  const Vec2 ab = b - a;
+  const double squared = dot(ab, ab);
+  if (squared == 0.0) return norm(a) <= radius ? std::optional{std::pair{0.0, 1.0}} : std::nullopt;
+  // |a + t ab|^2 = radius^2, solved by way of the line's distance from the origin, which keeps its digits
+  // however far away the ends are.
+  const double aside = cross(a, ab);
+  const double half_chord = std::sqrt(squared * radius * radius - aside * aside);
+  if (std::isnan(half_chord)) return std::nullopt;
+  const double from = std::max(0.0, (-dot(a, ab) - half_chord) / squared);
+  const double to = std::min(1.0, (-dot(a, ab) + half_chord) / squared);
+  return from <= to ? std::optional{std::pair{from, to}} : std::nullopt;
+}
+
+// The parts of the line inside the circle. Cut before it is sampled, so that a line to the horizon costs no
+// more than one within the range.
+std::vector<Line> clip(const Line& line, double radius) {
+  std::vector<Line> parts;
+  if (line.size() == 1 && norm(line.front()) <= radius) parts.push_back(line);
+  bool goes_on = false;  // the last part ends where the next segment begins
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const auto inside = share_inside(line[i - 1], line[i], radius);
+    if (inside) {
+      const Vec2 ab = line[i] - line[i - 1];
+      if (!goes_on || inside->first > 0.0) parts.push_back({line[i - 1] + inside->first * ab});
+      parts.back().push_back(line[i - 1] + inside->second * ab);
+    }
+    goes_on = inside && inside->second >= 1.0;
+  }
+  return parts;
+}
+
+bool goes_with_any(Side side) { return side == Side::kIsland || side == Side::kOther; }
+
+bool same_side(Side a, Side b) { return a == b || goes_with_any(a) || goes_with_any(b); }
+
+// Distance of p from the nearest boundary of its side.
+double distance_to_side(const Scene& scene, const std::vector<Line>& lines, Side side, Vec2 p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (same_side(scene.boundaries[i].side, side)) nearest = std::min(nearest, distance_to(lines[i], p));
+  }
+  return nearest;
+}
+
+std::vector<Line> lines_of(const Scene& scene) {
+  std::vector<Line> lines;
+  for (const Boundary& boundary : scene.boundaries) lines.push_back(in_plane(boundary));
+  return lines;
+}
+
+// Distances of the samples of `from` within the range from the boundaries of `to`.
+std::vector<double> distances(const Scene& from, const Scene& to, const BoundaryErrorConfig& config) {
+  const std::vector<Line> lines = lines_of(to);
+  std::vector<double> out;
+  for (const Boundary& boundary : from.boundaries) {
+    for (const Line& part : clip(in_plane(boundary), config.range_m)) {
+      for (const Vec2 p : resample(part, config.step_m)) {
+        out.push_back(distance_to_side(to, lines, boundary.side, p));
+      }
+    }
+  }
+  return out;
+}
+
+// Greatest distance of the line's points from the straight line through its ends.
+double bow(const Line& line) {
+  const Vec2 chord = line.back() - line.front();
+  double greatest = 0.0;
+  for (const Vec2 p : line) greatest = std::max(greatest, std::fabs(cross(chord, p - line.front())));
+  return norm(chord) > 0.0 ? greatest / norm(chord) : 0.0;
+}
+
+using ByFrame = std::map<std::string_view, const Scene*>;
+
+Expected<ByFrame> by_frame(std::span<const Scene> scenes, const std::string& whose) {
+  ByFrame frames;
+  for (const Scene& scene : scenes) {
+    if (frames.emplace(scene.frame, &scene).second) continue;
+    return Unexpected(Error{.code = ErrorCode::kUnusable,
+                            .file = {},
+                            .where = {},
+                            .what = "a frame stands twice in the " + whose,
+                            .got = scene.frame,
+                            .need = {}});
+  }
+  return frames;
+}
+
+void check(const BoundaryErrorConfig& config) {
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  if (!positive(config.range_m) || !positive(config.tolerance_m) || !positive(config.step_m)) {
+    throw std::invalid_argument("range, tolerance and step of a comparison must be positive");
+  }
+}
+
+std::optional<double> share_within(const std::vector<double>& values, double limit) {
+  if (values.empty()) return std::nullopt;
+  const auto count = std::count_if(values.begin(), values.end(), [=](double v) { return v <= limit; });
+  return static_cast<double>(count) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+BoundaryErrors compare(const Scene& prediction, const Scene& truth, const BoundaryErrorConfig& config) {
+  check(config);
+  return {.frame = truth.frame,
+          .shape = shape_of(truth, config.range_m),
+          .predicted = true,
+          .to_truth = distances(prediction, truth, config),
+          .to_prediction = distances(truth, prediction, config)};
+}
+
+RoadShape shape_of(const Scene& truth, double range_m) {
+  constexpr double kStraightWithin_m = 0.02;
+  RoadShape shape = RoadShape::kUnknown;
+  for (const Boundary& boundary : truth.boundaries) {
+    for (const Line& part : clip(in_plane(boundary), range_m)) {
+      if (bow(part) > kStraightWithin_m) return RoadShape::kCurve;
+      shape = RoadShape::kStraight;
+    }
+  }
+  return shape;
+}
+
+Expected<Comparison> compare_all(std::span<const Scene> predictions, std::span<const Scene> truths,
+                                 const BoundaryErrorConfig& config) {
+  check(config);
+  auto predicted = by_frame(predictions, "predictions");
+  if (!predicted) return Unexpected(std::move(predicted).error());
+  const auto known = by_frame(truths, "truth");
+  if (!known) return Unexpected(known.error());
+
+  Comparison comparison;
+  for (const Scene& truth : truths) {
+    const auto prediction = predicted->find(truth.frame);
+    const bool found = prediction != predicted->end();
+    comparison.scans.push_back(compare(found ? *prediction->second : Scene{}, truth, config));
+    comparison.scans.back().predicted = found;
+  }
+  for (const Scene& prediction : predictions) {
+    if (!known->contains(prediction.frame)) comparison.frames_without_truth.push_back(prediction.frame);
+  }
+  return comparison;
+}
+
+BoundarySummary summarise(std::span<const BoundaryErrors> scans, double tolerance_m) {
+  BoundarySummary summary;
+  std::vector<double> to_truth;
+  std::vector<double> to_prediction;
+  for (const BoundaryErrors& scan : scans) {
+    to_truth.insert(to_truth.end(), scan.to_truth.begin(), scan.to_truth.end());
+    to_prediction.insert(to_prediction.end(), scan.to_prediction.begin(), scan.to_prediction.end());
+    if (scan.to_truth.empty()) ++summary.scans_without_prediction;
+  }
+  summary.scans = scans.size();
+  summary.predicted_samples = to_truth.size();
+  summary.truth_samples = to_prediction.size();
+  summary.share_right = share_within(to_truth, tolerance_m);
+  summary.share_covered = share_within(to_prediction, tolerance_m);
+  summary.median_m = percentile(to_truth, 0.5);
+  summary.percentile_95_m = percentile(to_truth, 0.95);
+  summary.greatest_m = percentile(std::move(to_truth), 1.0);
+  return summary;
+}
+
+std::optional<double> percentile(std::vector<double> values, double p) {
+  assert(p > 0.0 && p <= 1.0);
+  if (values.empty()) return std::nullopt;
+  const double rank = std::ceil(p * static_cast<double>(values.size()) - 1e-9);
+  const auto index = static_cast<std::ptrdiff_t>(rank) - 1;
+  std::nth_element(values.begin(), values.begin() + index, values.end());
+  return values[static_cast<std::size_t>(index)];
+}
+
+}  // namespace verge::eval
