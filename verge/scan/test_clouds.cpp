@@ -7,10 +7,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <sstream>
+#include <utility>
 
 #include "verge/core/angle.hpp"
 
@@ -19,7 +20,9 @@ namespace {
 
 std::string read_file(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  return std::move(bytes).str();
 }
 
 template <class T>
