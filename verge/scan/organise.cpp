@@ -21,35 +21,36 @@ namespace {
 
 constexpr float kRangeMax = 1e5F;
 
-template <class T>
-void keep_only(std::vector<T>& column, const std::vector<std::uint32_t>& kept) {
-  if (column.empty()) return;
-  for (std::size_t i = 0; i < kept.size(); ++i) column[i] = column[kept[i]];
-  column.resize(kept.size());
+// Which points to keep: those that are finite and not too far away. (The range of a point with a NaN is NaN,
+// and compares false.)
+std::vector<std::uint32_t> usable_points(const Scan& scan) {
+  std::vector<std::uint32_t> kept(scan.size());
+  std::iota(kept.begin(), kept.end(), 0U);
+  std::size_t unusable = 0;
+  for (const float range : scan.range) unusable += range <= kRangeMax ? 0U : 1U;
+  if (unusable > 0) std::erase_if(kept, [&scan](std::uint32_t i) { return !(scan.range[i] <= kRangeMax); });
+  return kept;
 }
 
-// Leaves out the points that are not finite or too far away, and says which ones stayed.
-std::vector<std::uint32_t> drop_unusable(Cloud& cloud) {
-  const std::size_t n = cloud.x.size();
-  std::vector<std::uint32_t> kept;
-  kept.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    // An infinity or a NaN in any coordinate makes the sum one too, and the comparison false.
-    const float squares = cloud.x[i] * cloud.x[i] + cloud.y[i] * cloud.y[i] + cloud.z[i] * cloud.z[i];
-    if (squares <= kRangeMax * kRangeMax) kept.push_back(static_cast<std::uint32_t>(i));
+template <class T>
+std::vector<T> gather(const std::vector<T>& column, const std::vector<std::uint32_t>& order) {
+  if (column.empty()) return {};
+  std::vector<T> gathered(order.size());
+  std::transform(order.begin(), order.end(), gathered.begin(),
+                 [&column](std::uint32_t i) { return column[i]; });
+  return gathered;
+}
+
+// Leaves out what cannot be used, in every column, and remembers which points stayed.
+void drop_unusable(Scan& scan, Cloud& cloud) {
+  std::vector<std::uint32_t> kept = usable_points(scan);
+  scan.dropped = scan.size() - kept.size();
+  if (scan.dropped > 0) {
+    permute_points(scan, kept);
+    cloud.ring = gather(cloud.ring, kept);
+    cloud.time_s = gather(cloud.time_s, kept);
   }
-  if (kept.size() == n) return kept;
-  keep_only(cloud.x, kept);
-  keep_only(cloud.y, kept);
-  keep_only(cloud.z, kept);
-  keep_only(cloud.intensity, kept);
-  keep_only(cloud.ring, kept);
-  keep_only(cloud.time_s, kept);
-  keep_only(cloud.echo, kept);
-  keep_only(cloud.pulse_width, kept);
-  keep_only(cloud.flags, kept);
-  keep_only(cloud.label, kept);
-  return kept;
+  scan.input_index = std::move(kept);
 }
 
 // Fills stamp and offsets. False where the times cannot be those of one scan: not finite, or more than the
@@ -71,8 +72,8 @@ bool set_times(Scan& scan, const std::vector<double>& time_s) {
   return true;
 }
 
-// The cloud's columns as a scan of one unordered ring, but for the field of rings and the times.
-Scan unordered_scan(Cloud& cloud) {
+// Takes the cloud's columns, but for the field of rings and the times, into a scan without order.
+Scan take_columns(Cloud& cloud) {
   Scan scan;
   scan.x = std::move(cloud.x);
   scan.y = std::move(cloud.y);
@@ -194,15 +195,6 @@ std::vector<double> time_column(const Scan& scan) {
   return column;
 }
 
-template <class T>
-std::vector<T> gather(const std::vector<T>& column, const std::vector<std::uint32_t>& order) {
-  if (column.empty()) return {};
-  std::vector<T> gathered(order.size());
-  std::transform(order.begin(), order.end(), gathered.begin(),
-                 [&column](std::uint32_t i) { return column[i]; });
-  return gathered;
-}
-
 // Ring of each point, by the best source that there is.
 std::pair<RingSource, RingNumbers> number_rings(const Scan& scan, std::span<const std::int64_t> field) {
   if (!field.empty()) return {RingSource::kField, rings_by_field(field)};
@@ -220,16 +212,11 @@ Organised organise(Cloud cloud) {
   assert(cloud.x.size() < std::numeric_limits<std::uint32_t>::max());
   Organised organised;
   Scan& scan = organised.scan;
-  const std::size_t received = cloud.x.size();
-  std::vector<std::uint32_t> kept = drop_unusable(cloud);
-  const std::vector<std::int64_t> field = std::move(cloud.ring);
-  const std::vector<double> time_s = std::move(cloud.time_s);
-  scan = unordered_scan(cloud);
-  scan.dropped = received - kept.size();
-  scan.input_index = std::move(kept);
-  const bool times_used = set_times(scan, time_s);
+  scan = take_columns(cloud);
+  drop_unusable(scan, cloud);
+  const bool times_used = set_times(scan, cloud.time_s);
   RingNumbers rings;
-  std::tie(organised.source, rings) = number_rings(scan, field);
+  std::tie(organised.source, rings) = number_rings(scan, cloud.ring);
   arrange(scan, rings);
   organised.note = note_of(organised, rings.remark, times_used);
   return organised;

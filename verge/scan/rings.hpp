@@ -16,10 +16,10 @@ namespace verge {
 
 /// Ring of each point, numbered 0 .. count - 1 in any order; a number may have no point.
 struct RingNumbers {
-  std::vector<std::uint32_t> ring_of;
+  std::vector<std::uint32_t> ring_of{};
   std::size_t count = 0;
-  bool clear = true;   ///< False where neighbouring rings run into each other.
-  std::string remark;  ///< What more is to be said of it; may be empty.
+  bool clear = true;     ///< False where neighbouring rings run into each other.
+  std::string remark{};  ///< What more is to be said of it; may be empty.
 };
 
 /// The values of a ring field, numbered in rising order; values that do not occur get no number.

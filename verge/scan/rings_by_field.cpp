@@ -25,7 +25,7 @@ RingNumbers number_by_table(std::span<const std::int64_t> field, std::int64_t le
   for (const std::int64_t value : field) number[place(value)] = 1;
   std::uint32_t count = 0;
   for (std::uint32_t& n : number) n = n != 0 ? count++ : 0;
-  RingNumbers rings{.ring_of = std::vector<std::uint32_t>(field.size()), .count = count, .remark = {}};
+  RingNumbers rings{.ring_of = std::vector<std::uint32_t>(field.size()), .count = count};
   std::transform(field.begin(), field.end(), rings.ring_of.begin(),
                  [&](std::int64_t value) { return number[place(value)]; });
   return rings;
@@ -33,8 +33,7 @@ RingNumbers number_by_table(std::span<const std::int64_t> field, std::int64_t le
 
 RingNumbers number_by_search(std::span<const std::int64_t> field) {
   const std::vector<std::int64_t> values = values_of(field);
-  RingNumbers rings{
-      .ring_of = std::vector<std::uint32_t>(field.size()), .count = values.size(), .remark = {}};
+  RingNumbers rings{.ring_of = std::vector<std::uint32_t>(field.size()), .count = values.size()};
   std::transform(field.begin(), field.end(), rings.ring_of.begin(), [&](std::int64_t value) {
     return static_cast<std::uint32_t>(std::lower_bound(values.begin(), values.end(), value) - values.begin());
   });
