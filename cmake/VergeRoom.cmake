@@ -29,5 +29,6 @@ function(verge_test name)
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} verge_options GTest::gmock GTest::gtest_main rapidcheck)
   # Property tests are replayable: the seed is fixed here; set RC_PARAMS by hand for others.
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=20261122)
+  string(REGEX REPLACE "_test$" "" subject ${name})
+  gtest_discover_tests(${name} TEST_PREFIX ${subject}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=20261122)
 endfunction()

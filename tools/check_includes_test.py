@@ -19,6 +19,7 @@ model  -> core
 detect -> scan model fit
 sim    -> scan model
 apps   -> *
+tests  -> *
 fit    never scan
 sim    never detect
 """
@@ -75,6 +76,14 @@ class CheckIncludes(unittest.TestCase):
         self.write("verge/scan/scan.cpp", '#include "verge/core/detail.hpp"\n')
         self.assertEqual(self.breaches(),
                          ['verge/scan/scan.cpp:1: "verge/core/detail.hpp": not among the HEADERS of its room'])
+
+    def test_tests_may_look_behind_and_share_headers_of_their_own(self):
+        self.write("verge/core/detail.hpp", "\n")
+        self.write("tests/laws/world.hpp", "\n")
+        self.write("tests/laws/shuffle.cpp", '#include "tests/laws/world.hpp"\n#include "verge/core/detail.hpp"\n')
+        self.assertEqual(self.breaches(), [])
+        self.write("verge/core/vec.hpp", '#include "tests/laws/world.hpp"\n')
+        self.assertEqual(len(self.breaches()), 1)
 
     def test_relative_and_missing_includes_are_caught(self):
         self.write("verge/core/pose.cpp", '#include "vec.hpp"\n#include "verge/core/gone.hpp"\n')
