@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -25,7 +26,9 @@ class TestFolder : public ::testing::Test {
 
   [[nodiscard]] static std::string content(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
   }
   [[nodiscard]] std::size_t entries() const {
     return static_cast<std::size_t>(
