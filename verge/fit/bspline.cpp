@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/fit/bspline.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace verge::fit {
+namespace {
+
+/// 0/0 := 0: a span of no length carries no weight.
+double ratio(double numerator, double denominator) {
+  return denominator > 0.0 ? numerator / denominator : 0.0;
+}
+
+/// Whether u lies in [t_i, t_{i+1}), or at the end of the last span that is not empty.
+bool in_span(std::span<const double> t, std::size_t i, double u) {
+  if (t[i] <= u && u < t[i + 1]) return true;
+  return u == t.back() && t[i] < u && t[i + 1] == u;
+}
+
+struct Domain {
+  double from;
+  double to;
+};
+
+Domain domain(std::span<const double> t, std::size_t degree) { return {t[degree], t[t.size() - 1 - degree]}; }
+
+/// The span [t_k, t_{k+1}) of the domain that holds u; at the domain's end the last that is not empty.
+std::size_t span_of(std::span<const double> t, std::size_t degree, double u) {
+  const auto interior = t.subspan(degree + 1, t.size() - 2 * (degree + 1));
+  std::size_t k = degree + static_cast<std::size_t>(std::ranges::upper_bound(interior, u) - interior.begin());
+  while (k > degree && t[k] == t[k + 1]) --k;
+  return k;
+}
+
+/// A dense polyline of the curve with the parameter and arc length at each of its points.
+struct Table {
+  std::vector<double> u;
+  std::vector<Vec2> points;
+  std::vector<double> s;
+};
+
+Table tabulate(const BSpline& curve) {
+  constexpr int kPieces = 32;  // a span: the polyline's length is then good to 1e-4 for a bend of 90 degrees
+  Table table;
+  const auto add = [&](double u) {
+    const Vec2 p = evaluate(curve, u);
+    table.s.push_back(table.s.empty() ? 0.0 : table.s.back() + distance(table.points.back(), p));
+    table.u.push_back(u);
+    table.points.push_back(p);
+  };
+  const auto& t = curve.knots;
+  add(t[curve.degree]);
+  for (std::size_t k = curve.degree; k + 1 + curve.degree < t.size(); ++k) {
+    if (t[k] == t[k + 1]) continue;
+    for (int piece = 1; piece < kPieces; ++piece) add(t[k] + (t[k + 1] - t[k]) * piece / kPieces);
+    add(t[k + 1]);
+  }
+  return table;
+}
+
+/// The parameter at arc length s, by linear interpolation between the table's entries.
+double parameter_at(const Table& table, double s) {
+  const auto above = std::ranges::lower_bound(table.s, s) - table.s.begin();
+  const auto k = std::clamp(static_cast<std::size_t>(above), std::size_t{1}, table.s.size() - 1);
+  const double share = ratio(s - table.s[k - 1], table.s[k] - table.s[k - 1]);
+  return table.u[k - 1] + std::clamp(share, 0.0, 1.0) * (table.u[k] - table.u[k - 1]);
+}
+
+/// The parameter of the polyline's point nearest to p. By segments and not by vertices: a stretch of the
+/// curve that passes between two vertices close to p must not lose against one whose vertex happens to be
+/// closer.
+double nearest_on_polyline(const Table& table, Vec2 p) {
+  double best_u = table.u.front();
+  double best = dot(p - table.points.front(), p - table.points.front());
+  for (std::size_t k = 1; k < table.points.size(); ++k) {
+    const Vec2 chord = table.points[k] - table.points[k - 1];
+    const Vec2 offset = p - table.points[k - 1];
+    const double share = std::clamp(ratio(dot(offset, chord), dot(chord, chord)), 0.0, 1.0);
+    const Vec2 gap = offset - share * chord;
+    if (!(dot(gap, gap) < best)) continue;
+    best = dot(gap, gap);
+    best_u = table.u[k - 1] + share * (table.u[k] - table.u[k - 1]);
+  }
+  return best_u;
+}
+
+/// Gauss-Newton on (C(u) - p) . C'(u) = 0 from u; a step that does not come nearer ends it.
+double refine(const BSpline& curve, const BSpline& tangent, Vec2 p, double u) {
+  const Domain d = domain(curve.knots, curve.degree);
+  Vec2 offset = p - evaluate(curve, u);
+  constexpr int kSteps = 8;
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec2 velocity = evaluate(tangent, u);
+    const double next = std::clamp(u + ratio(dot(offset, velocity), dot(velocity, velocity)), d.from, d.to);
+    const Vec2 next_offset = p - evaluate(curve, next);
+    if (!(dot(next_offset, next_offset) < dot(offset, offset))) break;
+    u = next;
+    offset = next_offset;
+  }
+  return u;
+}
+
+}  // namespace
+
+double basis(std::span<const double> t, std::size_t i, std::size_t m, double u) {
+  assert(m >= 1 && i + m < t.size());
+  if (m == 1) return in_span(t, i, u) ? 1.0 : 0.0;
+  return ratio(u - t[i], t[i + m - 1] - t[i]) * basis(t, i, m - 1, u) +
+         ratio(t[i + m] - u, t[i + m] - t[i + 1]) * basis(t, i + 1, m - 1, u);
+}
+
+BasisRow basis_row(std::span<const double> t, std::size_t degree, double u) {
+  assert(degree <= kMaxDegree && t.size() >= 2 * (degree + 1));
+  const Domain d = domain(t, degree);
+  u = std::clamp(u, d.from, d.to);
+  const std::size_t k = span_of(t, degree, u);
+  BasisRow row{.first = k - degree};
+  row.values[degree] = 1.0;  // values[j] is N_{first+j}, of order 1 here and one more each turn
+  for (std::size_t m = 2; m <= degree + 1; ++m) {
+    for (std::size_t j = degree + 1 - m; j <= degree; ++j) {
+      const std::size_t i = row.first + j;
+      const double left = ratio(u - t[i], t[i + m - 1] - t[i]) * row.values[j];
+      const double right = j < degree ? ratio(t[i + m] - u, t[i + m] - t[i + 1]) * row.values[j + 1] : 0.0;
+      row.values[j] = left + right;
+    }
+  }
+  return row;
+}
+
+Vec2 evaluate(const BSpline& curve, double u) {
+  const BasisRow row = basis_row(curve.knots, curve.degree, u);
+  Vec2 point;
+  for (std::size_t j = 0; j <= curve.degree; ++j)
+    point = point + row.values[j] * curve.control_points[row.first + j];
+  return point;
+}
+
+BSpline derivative(const BSpline& curve) {
+  assert(curve.degree >= 1);
+  const std::size_t p = curve.degree;
+  BSpline out{.degree = p - 1, .knots{curve.knots.begin() + 1, curve.knots.end() - 1}, .control_points{}};
+  for (std::size_t i = 0; i + 1 < curve.control_points.size(); ++i) {
+    const double speed = ratio(static_cast<double>(p), curve.knots[i + p + 1] - curve.knots[i + 1]);
+    out.control_points.push_back(speed * (curve.control_points[i + 1] - curve.control_points[i]));
+  }
+  return out;
+}
+
+std::vector<Vec2> sample(const BSpline& curve, double step_m) {
+  assert(step_m > 0.0);
+  const Table table = tabulate(curve);
+  const double total = table.s.back();
+  if (total == 0.0) return {table.points.front()};
+  constexpr double kSlack =
+      1e-9;  // a length that rounding put just above a multiple of the step is that multiple
+  const double pieces = std::max(1.0, std::ceil(total / step_m - kSlack));
+  std::vector<Vec2> out{table.points.front()};
+  for (std::size_t k = 1; k < static_cast<std::size_t>(pieces); ++k)
+    out.push_back(evaluate(curve, parameter_at(table, total * (static_cast<double>(k) / pieces))));
+  out.push_back(table.points.back());
+  return out;
+}
+
+double length(const BSpline& curve) { return tabulate(curve).s.back(); }
+
+std::vector<double> nearest_parameters(const BSpline& curve, std::span<const Vec2> points) {
+  const Table table = tabulate(curve);
+  const BSpline tangent = derivative(curve);
+  std::vector<double> u;
+  u.reserve(points.size());
+  for (const Vec2 p : points) u.push_back(refine(curve, tangent, p, nearest_on_polyline(table, p)));
+  return u;
+}
+
+std::array<double, 4> uniform_cubic_weights(double u, MatrixRow row) {
+  const double first = row == MatrixRow::kCorrected ? 1.0 : 0.0;
+  const double u2 = u * u;
+  const double u3 = u2 * u;
+  return {(-u3 + 3.0 * u2 - 3.0 * u + first) / 6.0, (3.0 * u3 - 6.0 * u2 + 4.0) / 6.0,
+          (-3.0 * u3 + 3.0 * u2 + 3.0 * u + 1.0) / 6.0, u3 / 6.0};
+}
+
+Vec2 uniform_cubic(std::span<const Vec2, 4> p, double u, MatrixRow row) {
+  const std::array<double, 4> w = uniform_cubic_weights(u, row);
+  return w[0] * p[0] + w[1] * p[1] + w[2] * p[2] + w[3] * p[3];
+}
+
+}  // namespace verge::fit

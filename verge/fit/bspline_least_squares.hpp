@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "verge/core/vec.hpp"
+#include "verge/fit/bspline.hpp"
+#include "verge/fit/knots.hpp"
+#include "verge/fit/residuals.hpp"
+#include "verge/fit/robust.hpp"
+
+namespace verge::fit {
+
+/// The control points P that make  sum_k w_k |C(u_k) - Q_k|^2 + penalty |D^2 P|^2  least, for the points Q_k
+/// at the given parameters and clamped knots. D^2 P are the second differences of the control points, taken
+/// over the Greville abscissae so that a straight line run through at even speed costs nothing whatever the
+/// knots (P-spline after Eilers and Marx 1996). `weights`: empty, or one finite weight >= 0 for each point.
+/// None where the system is singular: with penalty 0, a knot span without points; or all weights 0. O(n p^2).
+[[nodiscard]] std::optional<BSpline> least_squares_spline(std::span<const Vec2> points,
+                                                          std::span<const double> weights,
+                                                          std::span<const double> parameters,
+                                                          std::vector<double> knots, std::size_t degree,
+                                                          double penalty);
+
+struct SplineFitOptions {
+  std::size_t degree = 3;    ///< Lowered where the points are too few.
+  double span_m = 3.0;       ///< Length of a knot span along the curve: shorter follows tighter bends.
+  double penalty = 0.1;      ///< Weight of the second differences: more is straighter.
+  double smoothing_m = 1.0;  ///< Moving mean before the first parameters are measured off the points.
+  int projections = 2;       ///< Rounds in which each point then gets the parameter of its foot.
+  KnotPlacement knots = KnotPlacement::kUniform;
+  std::optional<RobustOptions> robust = std::nullopt;  ///< None: plain least squares.
+};
+
+struct SplineFit {
+  BSpline curve;
+  Residuals residuals;          ///< Orthogonal distances.
+  std::vector<double> weights;  ///< What each point weighed in the end.
+};
+
+/// Cubic B-spline with few control points through noisy points, by penalised least squares (ours; the paper
+/// interpolates its key points, which fits the noise). The points must be in order along the curve; equal
+/// neighbours are harmless. Steps: chord-length parameters of the smoothed path; knots, one span every
+/// `span_m`; least_squares_spline, with the weights renewed from the normal residuals if `robust`; then each
+/// point takes the parameter of its foot on the curve and the fit is made again, `projections` times. None
+/// for fewer than 2 points, for points that all coincide or are not finite, or where least_squares_spline
+/// gives none.
+[[nodiscard]] std::optional<SplineFit> fit_spline(std::span<const Vec2> points,
+                                                  const SplineFitOptions& options = {},
+                                                  std::span<const double> weights = {});
+
+}  // namespace verge::fit

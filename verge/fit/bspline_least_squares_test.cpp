@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/fit/bspline_least_squares.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "verge/core/polyline.hpp"
+#include "verge/fit/bspline_interpolation.hpp"
+#include "verge/fit/curvature.hpp"
+#include "verge/fit/path.hpp"
+
+namespace verge::fit {
+namespace {
+
+/// The course of A2.2-6 at arc length s: 15 m straight ahead, then a left-hand arc of 20 m radius over 15.7
+/// m.
+Vec2 course(double s) {
+  const double turn = std::max(0.0, (s - 15.0) / 20.0);
+  return {std::min(s, 15.0) + 20.0 * std::sin(turn), 20.0 * (1.0 - std::cos(turn))};
+}
+
+std::vector<Vec2> noisy_course(double step, double sigma, std::uint32_t seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  std::vector<Vec2> points;
+  for (double s = 0.0; s <= 30.7; s += step) {
+    const double x = sigma * noise(engine);
+    const double y = sigma * noise(engine);
+    points.push_back(course(s) + Vec2{x, y});
+  }
+  return points;
+}
+
+/// Distance of p from the course, whose line and arc both go on beyond their ends.
+double distance_from_course(Vec2 p) {
+  return p.x <= 15.0 ? std::abs(p.y) : std::abs(distance(p, {15.0, 20.0}) - 20.0);
+}
+
+/// Root mean square distance of the curve from the course.
+double error_of(const BSpline& curve) {
+  double squares = 0.0;
+  const auto points = sample(curve, 0.1);
+  for (const Vec2 p : points) squares += distance_from_course(p) * distance_from_course(p);
+  return std::sqrt(squares / static_cast<double>(points.size()));
+}
+
+/// D^2 as rows, written out from its definition on the Greville abscissae.
+Eigen::MatrixXd dense_penalty(const std::vector<double>& knots, std::size_t degree) {
+  const auto n = static_cast<Eigen::Index>(knots.size() - degree - 1);
+  const auto xi = [&](Eigen::Index i) {
+    double sum = 0.0;
+    for (std::size_t j = 1; j <= degree; ++j) sum += knots[static_cast<std::size_t>(i) + j];
+    return sum / static_cast<double>(degree);
+  };
+  const double h = (xi(n - 1) - xi(0)) / static_cast<double>(n - 1);
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n - 2, n);
+  for (Eigen::Index i = 0; i + 2 < n; ++i) {
+    rows(i, i) = h / (xi(i + 1) - xi(i));
+    rows(i, i + 2) = h / (xi(i + 2) - xi(i + 1));
+    rows(i, i + 1) = -rows(i, i) - rows(i, i + 2);
+  }
+  return rows;
+}
+
+TEST(LeastSquaresSpline, ReproducesACubicWhateverItsKnots) {
+  const auto cubic = [](double u) { return Vec2{10.0 * u, 4.0 * u * u * u - 3.0 * u * u + u}; };
+  std::vector<double> u;
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 40; ++i) u.push_back(std::pow(i / 40.0, 1.3));
+  for (const double v : u) points.push_back(cubic(v));
+  const std::vector<double> knots{0.0, 0.0, 0.0, 0.0, 0.2, 0.3, 0.75, 1.0, 1.0, 1.0, 1.0};
+  const auto curve = least_squares_spline(points, {}, u, knots, 3, 0.0).value();
+  for (int i = 0; i <= 100; ++i) EXPECT_LT(distance(evaluate(curve, i / 100.0), cubic(i / 100.0)), 1e-9);
+}
+
+TEST(LeastSquaresSpline, ReproducesAnEvenStraightLineWhateverThePenalty) {
+  std::vector<double> u;
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 40; ++i) u.push_back(i / 40.0);
+  for (const double v : u) points.push_back({3.0 + 20.0 * v, 1.0 - 5.0 * v});
+  const auto curve = least_squares_spline(points, {}, u, uniform_knots(9, 3), 3, 1e6).value();
+  for (int i = 0; i <= 50; ++i)
+    EXPECT_LT(distance(evaluate(curve, i / 50.0), {3.0 + 20.0 * i / 50.0, 1.0 - 5.0 * i / 50.0}), 1e-6);
+}
+
+TEST(LeastSquaresSpline, AgreesWithADenseSolverOfAnOutsideLibrary) {
+  std::mt19937 engine(11);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (const double penalty : {0.0, 0.1, 10.0}) {
+    std::vector<double> u;
+    std::vector<Vec2> points;
+    std::vector<double> weights;
+    for (int i = 0; i < 60; ++i) {
+      u.push_back(uniform(engine));
+      points.push_back({10.0 * uniform(engine), uniform(engine)});
+      weights.push_back(uniform(engine));
+    }
+    const auto knots = uniform_knots(8, 3);
+    const Eigen::MatrixXd d2 = std::sqrt(penalty) * dense_penalty(knots, 3);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(60 + d2.rows(), 8);
+    Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(60 + d2.rows(), 2);
+    rows.bottomRows(d2.rows()) = d2;
+    for (std::size_t k = 0; k < 60; ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      const double root = std::sqrt(weights[k]);
+      for (std::size_t i = 0; i < 8; ++i)
+        rows(row, static_cast<Eigen::Index>(i)) = root * basis(knots, i, 4, u[k]);
+      right.row(row) << root * points[k].x, root * points[k].y;
+    }
+    const Eigen::MatrixX2d expected = rows.colPivHouseholderQr().solve(right);
+    const auto curve = least_squares_spline(points, weights, u, knots, 3, penalty).value();
+    for (std::size_t i = 0; i < 8; ++i) {
+      EXPECT_NEAR(curve.control_points[i].x, expected(static_cast<Eigen::Index>(i), 0), 1e-8);
+      EXPECT_NEAR(curve.control_points[i].y, expected(static_cast<Eigen::Index>(i), 1), 1e-8);
+    }
+  }
+}
+
+TEST(LeastSquaresSpline, WithAsManyControlPointsAsPointsInterpolates) {
+  const std::vector<Vec2> q{{0.0, 0.0}, {4.0, 0.2}, {7.0, 1.0}, {9.0, 3.0}, {9.5, 6.0}, {9.6, 12.0}};
+  const auto through = interpolate(q).value();
+  const auto u = parameters(q, Parameterization::kCentripetal).value();
+  const auto nearest = least_squares_spline(q, {}, u, through.knots, 3, 0.0).value();
+  for (std::size_t i = 0; i < q.size(); ++i)
+    EXPECT_LT(distance(nearest.control_points[i], through.control_points[i]), 1e-9);
+}
+
+TEST(LeastSquaresSpline, ASpanWithoutPointsNeedsThePenalty) {
+  const std::vector<double> u{0.0, 0.02, 0.04, 0.06, 0.08, 0.94, 0.96, 0.98, 1.0};
+  std::vector<Vec2> points;
+  for (const double v : u) points.push_back({30.0 * v, 1.0});
+  EXPECT_FALSE(least_squares_spline(points, {}, u, uniform_knots(9, 3), 3, 0.0).has_value());
+  const auto bridged = least_squares_spline(points, {}, u, uniform_knots(9, 3), 3, 0.1).value();
+  EXPECT_LT(distance(evaluate(bridged, 0.5), {15.0, 1.0}), 1e-6);
+}
+
+TEST(LeastSquaresSpline, WithoutAnyWeightIsNone) {
+  const std::vector<double> u{0.0, 0.3, 0.6, 1.0};
+  const std::vector<Vec2> points{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {3.0, 0.0}};
+  EXPECT_FALSE(least_squares_spline(points, std::vector<double>(4, 0.0), u, uniform_knots(4, 3), 3, 0.1));
+}
+
+TEST(SplineFit, ErrorsOfThePapersCourseAreThoseOfFewControlPointsNotOfInterpolation) {
+  // A2.2-6: RMS to the truth, interpolation at key points 0.014 / 0.046 / 0.078 m, least squares 0.003 /
+  // 0.008 / 0.016.
+  const std::vector<std::pair<double, double>> sigma_and_bar{{0.01, 0.007}, {0.03, 0.012}, {0.05, 0.018}};
+  for (const auto& [sigma, bar] : sigma_and_bar) {
+    double fitted = 0.0;
+    double interpolated = 0.0;
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+      const auto points = noisy_course(0.25, sigma, seed);
+      fitted += error_of(fit_spline(points).value().curve) / 10.0;
+      const auto keys = gather(points, key_points(curvature(points)));
+      interpolated += error_of(interpolate(keys).value()) / 10.0;
+    }
+    EXPECT_LT(fitted, bar) << sigma;
+    EXPECT_GT(interpolated, 2.5 * fitted) << sigma;
+  }
+}
+
+TEST(SplineFit, DensePointsThatZigzagDoNotStretchTheParameters) {
+  // 2 cm of noise at 1 cm spacing: the polyline through the points is several times as long as the course.
+  auto points = noisy_course(0.01, 0.02, 4);
+  EXPECT_GT(length(points), 60.0);
+  const auto fit = fit_spline(points).value();
+  EXPECT_LT(error_of(fit.curve), 0.006);
+  EXPECT_NEAR(fit.residuals.rms_m, 0.02, 0.002);
+  EXPECT_NEAR(fit.residuals.p95_m, 0.0392, 0.004);
+}
+
+TEST(SplineFit, RobustFitIgnoresAWallBehindTheKerb) {
+  auto points = noisy_course(0.1, 0.02, 5);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool wall = i % 4 == 0 && i > 30 && i + 30 < points.size();
+    if (wall) points[i] = points[i] + Vec2{-0.9, 1.2};
+  }
+  const double plain = error_of(fit_spline(points).value().curve);
+  const auto robust = fit_spline(points, {.robust = RobustOptions{}}).value();
+  EXPECT_GT(plain, 0.2);
+  EXPECT_LT(error_of(robust.curve), 0.02);
+  EXPECT_EQ(robust.weights[100], 0.0);
+  EXPECT_GT(robust.residuals.p95_m, 0.8);  // the wall's points still count in the figures
+}
+
+TEST(SplineFit, AStraightRowOfPointsGivesTheStraightLine) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 60; ++i) points.push_back({0.3 * i, 2.0 + 0.1 * i});
+  const auto fit = fit_spline(points).value();
+  EXPECT_LT(fit.residuals.rms_m, 1e-9);
+  EXPECT_LT(distance(evaluate(fit.curve, 0.0), points.front()), 1e-6);
+  EXPECT_LT(distance(evaluate(fit.curve, 1.0), points.back()), 1e-6);
+}
+
+TEST(SplineFit, ResidualsArePositiveToTheLeft) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 40; ++i) points.push_back({0.25 * i, i % 2 == 0 ? 0.1 : -0.1});
+  const auto fit = fit_spline(points).value();
+  EXPECT_NEAR(fit.residuals.signed_m[20], 0.1, 0.02);
+  EXPECT_NEAR(fit.residuals.signed_m[21], -0.1, 0.02);
+}
+
+TEST(SplineFit, TooFewOrCoincidingPointsGiveNone) {
+  EXPECT_FALSE(fit_spline({}).has_value());
+  EXPECT_FALSE(fit_spline(std::vector<Vec2>{{1.0, 1.0}}).has_value());
+  EXPECT_FALSE(fit_spline(std::vector<Vec2>(5, Vec2{1.0, 1.0})).has_value());
+  EXPECT_FALSE(fit_spline(std::vector<Vec2>{{0.0, 0.0}, {1.0, std::nan("")}, {2.0, 0.0}}).has_value());
+}
+
+TEST(SplineFit, TwoAndThreePointsLowerTheDegree) {
+  const auto two = fit_spline(std::vector<Vec2>{{0.0, 0.0}, {3.0, 4.0}}).value();
+  EXPECT_EQ(two.curve.degree, 1U);
+  EXPECT_LT(distance(evaluate(two.curve, 1.0), {3.0, 4.0}), 1e-9);
+  EXPECT_EQ(fit_spline(std::vector<Vec2>{{0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}}).value().curve.degree, 2U);
+}
+
+TEST(SplineFit, MovesAndTurnsWithItsPointsAndMirrorsWithThem) {
+  const auto points = noisy_course(0.25, 0.03, 6);
+  const SplineFitOptions options{.robust = RobustOptions{}};
+  const auto fit = fit_spline(points, options).value();
+  std::vector<Vec2> turned;
+  std::vector<Vec2> mirrored;
+  for (const Vec2 p : points) turned.push_back({100.0 - p.y, p.x - 50.0});
+  for (const Vec2 p : points) mirrored.push_back({p.x, -p.y});
+  const auto after = fit_spline(turned, options).value();
+  const auto mirror = fit_spline(mirrored, options).value();
+  for (int i = 0; i <= 50; ++i) {
+    const Vec2 p = evaluate(fit.curve, i / 50.0);
+    EXPECT_LT(distance(evaluate(after.curve, i / 50.0), {100.0 - p.y, p.x - 50.0}), 1e-6);
+    EXPECT_EQ(evaluate(mirror.curve, i / 50.0), (Vec2{p.x, -p.y}));
+  }
+}
+
+TEST(SplineFit, ReversedPointsGiveTheSameCurveBackwards) {
+  auto points = noisy_course(0.25, 0.03, 7);
+  const auto there = fit_spline(points).value();
+  std::ranges::reverse(points);
+  const auto back = fit_spline(points).value();
+  for (int i = 0; i <= 50; ++i)
+    EXPECT_LT(distance(evaluate(there.curve, i / 50.0), evaluate(back.curve, 1.0 - i / 50.0)), 1e-6);
+}
+
+TEST(SplineFit, KnotsByTheParametersFollowTheCourseToo) {
+  const auto points = noisy_course(0.25, 0.02, 8);
+  EXPECT_LT(error_of(fit_spline(points, {.knots = KnotPlacement::kAveraged}).value().curve), 0.01);
+}
+
+TEST(SplineFit, AWeightOfZeroLeavesThePointOut) {
+  auto points = noisy_course(0.25, 0.0, 0);
+  std::vector<double> weights(points.size(), 1.0);
+  points[40] = points[40] + Vec2{0.0, 0.3};
+  weights[40] = 0.0;
+  const auto fit = fit_spline(points, {}, weights).value();
+  EXPECT_LT(error_of(fit.curve), 0.006);
+  EXPECT_LT(fit.residuals.p95_m, 0.02);
+}
+
+}  // namespace
+}  // namespace verge::fit

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/fit/line.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace verge::fit {
+namespace {
+
+/// Weighted mean and second moments about it.
+struct Moments {
+  Vec2 centroid;
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+};
+
+Moments moments(std::span<const Vec2> points, std::span<const double> weights) {
+  Vec2 sum;
+  double total = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sum = sum + weight_at(weights, i) * points[i];
+    total += weight_at(weights, i);
+  }
+  Moments m{.centroid = {sum.x / total, sum.y / total}};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double w = weight_at(weights, i);
+    const Vec2 d = points[i] - m.centroid;
+    m.xx += w * d.x * d.x;
+    m.xy += w * d.x * d.y;
+    m.yy += w * d.y * d.y;
+  }
+  return m;
+}
+
+bool all_finite(std::span<const Vec2> points) {
+  return std::ranges::all_of(points, [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+}
+
+/// Whether two points of positive weight differ under `differ`. Exact: the scatter cannot tell, because the
+/// mean of equal points may be rounded.
+template <class Differ>
+bool any_two(std::span<const Vec2> points, std::span<const double> weights, Differ differ) {
+  std::optional<Vec2> first;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(weight_at(weights, i) > 0.0)) continue;
+    if (first && differ(*first, points[i])) return true;
+    if (!first) first = points[i];
+  }
+  return false;
+}
+
+/// d or -d, of unit length, with x > 0, or (0, 1).
+Vec2 forward_unit(Vec2 d) {
+  const bool flip = d.x < 0.0 || (d.x == 0.0 && d.y < 0.0);
+  return ((flip ? -1.0 : 1.0) / norm(d)) * d;
+}
+
+/// The eigenvector of the greater eigenvalue of [xx xy; xy yy], from the better conditioned of its two rows.
+Vec2 principal_axis(const Moments& m) {
+  const double difference = m.xx - m.yy;
+  const double spread = std::hypot(difference, 2.0 * m.xy);
+  if (!(spread > 0.0)) return {1.0, 0.0};
+  return difference >= 0.0 ? forward_unit({difference + spread, 2.0 * m.xy})
+                           : forward_unit({2.0 * m.xy, spread - difference});
+}
+
+LineFit measured(const Line& line, std::span<const Vec2> points, std::span<const double> weights,
+                 std::vector<double> final_weights) {
+  std::vector<double> distances(points.size());
+  std::ranges::transform(points, distances.begin(), [&](Vec2 p) { return signed_distance(line, p); });
+  return {line, summarise(std::move(distances), weights), std::move(final_weights)};
+}
+
+}  // namespace
+
+double station(const Line& line, Vec2 p) { return dot(line.direction, p - line.centroid); }
+
+double signed_distance(const Line& line, Vec2 p) { return cross(line.direction, p - line.centroid); }
+
+Vec2 point_at(const Line& line, double station_m) { return line.centroid + station_m * line.direction; }
+
+std::optional<LineFit> fit_line(std::span<const Vec2> points, std::span<const double> weights) {
+  assert(weights.empty() || weights.size() == points.size());
+  const auto differ = [](Vec2 a, Vec2 b) { return a != b; };
+  if (!all_finite(points) || !any_two(points, weights, differ)) return std::nullopt;
+  const Moments m = moments(points, weights);
+  return measured({m.centroid, principal_axis(m)}, points, weights, weights_or_ones(weights, points.size()));
+}
+
+std::optional<LineFit> fit_line_ordinary(std::span<const Vec2> points, std::span<const double> weights) {
+  assert(weights.empty() || weights.size() == points.size());
+  const auto differ = [](Vec2 a, Vec2 b) { return a.x != b.x; };
+  if (!all_finite(points) || !any_two(points, weights, differ)) return std::nullopt;
+  const Moments m = moments(points, weights);
+  return measured({m.centroid, forward_unit({m.xx, m.xy})}, points, weights,
+                  weights_or_ones(weights, points.size()));
+}
+
+std::optional<LineFit> fit_line_robust(std::span<const Vec2> points, const RobustOptions& options,
+                                       std::span<const double> weights) {
+  std::optional<LineFit> fit = fit_line(points, weights);
+  for (int i = 0; fit && i < options.start_iterations + options.iterations; ++i) {
+    const auto next = robust_weights(i, fit->residuals.signed_m, weights, options);
+    const auto refit = fit_line(points, next);
+    if (!refit) break;  // the points that still weigh something coincide: the line before stands
+    fit = measured(refit->line, points, weights, next);
+  }
+  return fit;
+}
+
+}  // namespace verge::fit
