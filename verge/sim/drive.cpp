@@ -19,6 +19,16 @@ constexpr double kStraightWithin_m = 15.0;  // how far a straight road must be s
 
 constexpr double kCurveRadius_m = 30.0;
 constexpr double kQuarterTurn_m = 0.5 * std::numbers::pi * kCurveRadius_m;
+constexpr double kBetweenTurns_m = 60.0;
+
+Piece left_turn() { return {kQuarterTurn_m, 1.0 / kCurveRadius_m}; }
+Piece other_way(const Piece& turn) { return {turn.length_m, -turn.curvature_1pm}; }
+
+void check_travel(double travel_m) {
+  if (!std::isfinite(travel_m) || travel_m < 0.0) {
+    throw std::invalid_argument("the travel must not be negative");
+  }
+}
 
 void check(const DriveConfig& config) {
   if (!(config.mount.height_m > 0.0)) throw std::invalid_argument("the sensor must stand above the road");
@@ -42,21 +52,39 @@ Pose T_vehicle_sensor(const Mount& mount) {
 
 }  // namespace
 
-DriveConfig straight_road() { return {}; }
-
-DriveConfig curved_road() {
+DriveConfig straight_road(double travel_m) {
+  check_travel(travel_m);
   DriveConfig config;
-  config.road.pieces = {{60.0, 0.0}, {kQuarterTurn_m, 1.0 / kCurveRadius_m}, {60.0, 0.0}};
-  config.course.start_m = 60.0 + 0.5 * kQuarterTurn_m;
+  config.road.pieces = {{200.0 + travel_m, 0.0}};
+  config.course.start_m = 100.0;
   return config;
 }
 
-DriveConfig demo_drive() {
+DriveConfig curved_road(double travel_m) {
+  check_travel(travel_m);
   DriveConfig config;
-  config.road.pieces = {{100.0, 0.0}, {kQuarterTurn_m, 1.0 / kCurveRadius_m}, {60.0, 0.0}};
-  config.road.houses = Houses{};
+  config.road.pieces = {{kBetweenTurns_m, 0.0}, left_turn()};
+  for (double ahead = 0.5 * kQuarterTurn_m; ahead < travel_m; ahead += kQuarterTurn_m) {
+    config.road.pieces.push_back(other_way(config.road.pieces.back()));
+  }
+  config.road.pieces.push_back({kBetweenTurns_m, 0.0});
+  config.course.start_m = kBetweenTurns_m + 0.5 * kQuarterTurn_m;
+  return config;
+}
+
+DriveConfig demo_drive(double travel_m) {
+  check_travel(travel_m);
+  DriveConfig config;
   config.course.start_m = 40.0;
   config.course.lateral_m = -0.25 * config.road.width_m;
+  config.road.houses = Houses{};
+  config.road.pieces = {{config.course.start_m + kBetweenTurns_m, 0.0}};
+  Piece turn = left_turn();
+  for (double ahead = 0.0; ahead <= travel_m; ahead += kQuarterTurn_m + kBetweenTurns_m) {
+    config.road.pieces.push_back(turn);
+    config.road.pieces.push_back({kBetweenTurns_m, 0.0});
+    turn = other_way(turn);
+  }
   return config;
 }
 

@@ -43,17 +43,21 @@ struct Simulated {
   bool straight = false;  ///< All of the road within 15 m (along it) of the vehicle is straight.
 };
 
-/// HDL-32E on the roof at 1.9 m, in the middle of a straight road of 8 m with kerbs of 0.12 m, no houses;
-/// 200 m long, the vehicle half-way.
-[[nodiscard]] DriveConfig straight_road();
+// Ready drives with an HDL-32E on the roof at 1.9 m of a road of 8 m with kerbs of 0.12 m. Each road is long
+// enough for a vehicle that goes `travel_m` metres from its start. Throw std::invalid_argument where that is
+// negative or not finite.
 
-/// The same in a left curve of 30 m radius, a quarter of a turn long between straights of 60 m, the vehicle
-/// in its middle.
-[[nodiscard]] DriveConfig curved_road();
+/// In the middle of a straight road without houses, which begins 100 m behind the vehicle and ends 100 m
+/// before it at the end of its travel.
+[[nodiscard]] DriveConfig straight_road(double travel_m = 0.0);
 
-/// The demo's drive: 60 m of straight road ahead, then a left curve of 30 m radius; houses on both sides; the
-/// vehicle keeps to the right-hand lane.
-[[nodiscard]] DriveConfig demo_drive();
+/// In the middle of a winding road without houses: quarter turns of 30 m radius, left and right in turn,
+/// between straights of 60 m at both ends. The vehicle begins in the middle of the first turn.
+[[nodiscard]] DriveConfig curved_road(double travel_m = 0.0);
+
+/// The demo's drive: 60 m of straight road ahead, then a left turn of 30 m radius, and so on, turns and
+/// straights of 60 m in turn; houses on both sides; the vehicle keeps to the right-hand lane.
+[[nodiscard]] DriveConfig demo_drive(double travel_m = 0.0);
 
 /// A drive that can be asked for any of its scans, in any order and from several threads.
 class Drive {

@@ -167,6 +167,42 @@ TEST(DemoDrive, IsStraightForSixtyMetresAheadAndThenCurves) {
   EXPECT_FALSE(drive.scan(100).straight);  // in the curve
 }
 
+TEST(ReadyDrives, AreLongEnoughForTheirTravel) {
+  for (const double travel : {0.0, 10.0, 100.0, 1000.0}) {
+    for (const DriveConfig& config :
+         std::vector<DriveConfig>{straight_road(travel), curved_road(travel), demo_drive(travel)}) {
+      EXPECT_GE(Road(config.road).length_m(), config.course.start_m + travel + 60.0);
+    }
+  }
+}
+
+TEST(ReadyDrives, AreStraightOrCurvedAllAlongTheWay) {
+  const Road straight(straight_road(500.0).road);
+  EXPECT_TRUE(straight.is_straight(0.0, straight.length_m()));
+  const DriveConfig config = curved_road(500.0);
+  const Road curved(config.road);
+  for (double s = config.course.start_m; s < config.course.start_m + 500.0; s += 1.0) {
+    EXPECT_FALSE(curved.is_straight(s - 0.5, s + 0.5)) << s;
+  }
+}
+
+TEST(ReadyDrives, NeverCrossTheirOwnRoad) {
+  for (const DriveConfig& config : std::vector<DriveConfig>{curved_road(1000.0), demo_drive(1000.0)}) {
+    const Road road(config.road);
+    for (double a = 0.0; a < road.length_m(); a += 5.0) {
+      for (double b = a + 60.0; b < road.length_m(); b += 5.0) {
+        EXPECT_GT(distance(road.at(a).position, road.at(b).position), 30.0) << a << " and " << b;
+      }
+    }
+  }
+}
+
+TEST(ReadyDrives, RefuseATravelThatCannotBe) {
+  EXPECT_THROW((void)straight_road(-1.0), std::invalid_argument);
+  EXPECT_THROW((void)curved_road(std::numeric_limits<double>::infinity()), std::invalid_argument);
+  EXPECT_THROW((void)demo_drive(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+}
+
 TEST(DemoDrive, ScansAreTheSameInAnyOrder) {
   const Drive drive(demo_drive());
   const auto key = [](const Simulated& s) {
