@@ -3,7 +3,6 @@
 #include "verge/eval/boundary_error.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "verge/core/polyline.hpp"
+#include "verge/core/statistics.hpp"
 #include "verge/core/vec.hpp"
 
 namespace verge::eval {
@@ -129,6 +129,22 @@ std::optional<double> share_within(const std::vector<double>& values, double lim
   return static_cast<double>(count) / static_cast<double>(values.size());
 }
 
+// As verge::percentile, of values that may be infinite: infinite where an infinite one has a part in it.
+std::optional<double> percentile_of(std::vector<double> values, double percent) {
+  if (values.empty()) return std::nullopt;
+  double greatest_finite = 0.0;
+  std::size_t finite = 0;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    greatest_finite = std::max(greatest_finite, value);
+    ++finite;
+  }
+  const double position = static_cast<double>(values.size() - 1) * percent / 100.0;
+  if (std::ceil(position) >= static_cast<double>(finite)) return std::numeric_limits<double>::infinity();
+  for (double& value : values) value = std::min(value, greatest_finite);  // above all that have a part
+  return percentile(values, percent);
+}
+
 }  // namespace
 
 BoundaryErrors compare(const Scene& prediction, const Scene& truth, const BoundaryErrorConfig& config) {
@@ -187,19 +203,10 @@ BoundarySummary summarise(std::span<const BoundaryErrors> scans, double toleranc
   summary.truth_samples = to_prediction.size();
   summary.share_right = share_within(to_truth, tolerance_m);
   summary.share_covered = share_within(to_prediction, tolerance_m);
-  summary.median_m = percentile(to_truth, 0.5);
-  summary.percentile_95_m = percentile(to_truth, 0.95);
-  summary.greatest_m = percentile(std::move(to_truth), 1.0);
+  summary.median_m = percentile_of(to_truth, 50.0);
+  summary.percentile_95_m = percentile_of(to_truth, 95.0);
+  summary.greatest_m = percentile_of(to_truth, 100.0);
   return summary;
-}
-
-std::optional<double> percentile(std::vector<double> values, double p) {
-  assert(p > 0.0 && p <= 1.0);
-  if (values.empty()) return std::nullopt;
-  const double rank = std::ceil(p * static_cast<double>(values.size()) - 1e-9);
-  const auto index = static_cast<std::ptrdiff_t>(rank) - 1;
-  std::nth_element(values.begin(), values.begin() + index, values.end());
-  return values[static_cast<std::size_t>(index)];
 }
 
 }  // namespace verge::eval

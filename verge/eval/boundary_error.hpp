@@ -85,8 +85,4 @@ struct BoundarySummary {
 
 [[nodiscard]] BoundarySummary summarise(std::span<const BoundaryErrors> scans, double tolerance_m);
 
-/// The least value that at least a share `p` of the values do not exceed (nearest rank). None without values;
-/// p in (0, 1].
-[[nodiscard]] std::optional<double> percentile(std::vector<double> values, double p);
-
 }  // namespace verge::eval

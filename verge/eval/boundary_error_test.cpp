@@ -207,8 +207,8 @@ TEST(Summarise, PoolsTheSamplesOfAllScans) {
   a.to_prediction = {0.1, 0.3};
   b.to_prediction = {0.1, 0.1};
   const BoundarySummary summary = summarise(std::vector{b, a}, 0.2);
-  EXPECT_DOUBLE_EQ(*summary.median_m, 0.50);
-  EXPECT_DOUBLE_EQ(*summary.percentile_95_m, 0.95);
+  EXPECT_NEAR(*summary.median_m, 0.505, 1e-12);
+  EXPECT_NEAR(*summary.percentile_95_m, 0.9505, 1e-12);
   EXPECT_DOUBLE_EQ(*summary.greatest_m, 1.00);
   EXPECT_DOUBLE_EQ(*summary.share_right, 0.20);
   EXPECT_DOUBLE_EQ(*summary.share_covered, 0.75);
@@ -216,12 +216,16 @@ TEST(Summarise, PoolsTheSamplesOfAllScans) {
   EXPECT_EQ(summary.truth_samples, 4U);
 }
 
-TEST(Percentile, IsTheNearestRank) {
-  EXPECT_EQ(percentile({3.0, 1.0, 2.0}, 0.5), 2.0);
-  EXPECT_EQ(percentile({1.0, 2.0}, 0.5), 1.0);
-  EXPECT_EQ(percentile({5.0}, 0.95), 5.0);
-  EXPECT_EQ(percentile({1.0, kInfinity}, 1.0), kInfinity);
-  EXPECT_EQ(percentile({}, 0.5), std::nullopt);
+TEST(Summarise, IsInfiniteOnlyWhereSoManySamplesHaveNoTruth) {
+  BoundaryErrors scan;
+  for (int i = 0; i < 97; ++i) scan.to_truth.push_back(0.01 * i);
+  scan.to_truth.insert(scan.to_truth.begin(), 4, kInfinity);
+  const BoundarySummary few = summarise(std::vector{scan}, 0.2);
+  EXPECT_DOUBLE_EQ(*few.median_m, 0.50);
+  EXPECT_DOUBLE_EQ(*few.percentile_95_m, 0.95);
+  EXPECT_EQ(*few.greatest_m, kInfinity);
+  scan.to_truth.insert(scan.to_truth.end(), 3, kInfinity);
+  EXPECT_EQ(*summarise(std::vector{scan}, 0.2).percentile_95_m, kInfinity);
 }
 
 }  // namespace
