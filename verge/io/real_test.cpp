@@ -117,7 +117,8 @@ TEST(Real, EveryPcdOfTheVarietyIsRead) {
   for (const Scan& scan : scans) {
     const Expectation& want = expected.at(scan.frame);
     EXPECT_EQ(scan.size() + scan.dropped, want.points) << scan.frame;
-    EXPECT_TRUE(want.rings == 0 || scan.ring_count() == want.rings) << scan.frame << ": " << scan.ring_count();
+    EXPECT_TRUE(want.rings == 0 || scan.ring_count() == want.rings)
+        << scan.frame << ": " << scan.ring_count();
     EXPECT_EQ(scan.stamp_ns.has_value(), want.times) << scan.frame;
     if (!want.times) continue;
     // One revolution, which took 0.1 s.

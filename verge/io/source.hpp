@@ -35,13 +35,13 @@ namespace verge::io {
 
 /// How to open a recording.
 struct OpenOptions {
-  std::optional<Format> format;  ///< None: guessed from the content, then the name.
+  std::optional<Format> format{};  ///< None: guessed from the content, then the name.
   std::uint64_t memory_max_bytes =
       1ULL << 30;                ///< Ceiling for one scan (reliability B1); beyond it: ErrorCode::kLimit.
   std::size_t frames_begin = 0;  ///< First scan to hand out, counted from 0.
-  std::optional<std::size_t> frames_end;  ///< Past the last; none: all.
-  int timeout_ms = 5000;                  ///< For a FIFO that nobody writes.
-  Log log;                                ///< Notes and warnings, one line each.
+  std::optional<std::size_t> frames_end{};  ///< Past the last; none: all.
+  int timeout_ms = 5000;                    ///< For a FIFO that nobody writes.
+  Log log{};                                ///< Notes and warnings, one line each.
 };
 
 /// What the recording holds, as far as it is known without reading it through.

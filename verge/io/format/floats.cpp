@@ -14,7 +14,7 @@ constexpr std::size_t kRowsLookedAt = 4096;
 
 bool is_coordinate(float value) {
   const float size = std::fabs(value);
-  return size == 0.0F || (size >= 1e-5F && size <= 1e5F);
+  return size == 0.0F || (size >= 1e-20F && size <= 1e5F);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace verge::io {
 /// How far rows of float32 look like points of a scan. Looks at no more than the first 4096 rows.
 struct RowCheck {
   std::size_t rows = 0;         ///< Looked at.
-  std::size_t coordinates = 0;  ///< x, y, z are metres of a scan (0, or 1e-5 to 1e5 in size).
+  std::size_t coordinates = 0;  ///< x, y, z are metres of a scan (0, or 1e-20 to 1e5 in size).
   std::size_t swapped = 0;      ///< They would be, were they big-endian.
   std::size_t intensities = 0;  ///< Fourth column in 0..255.
   std::size_t rings = 0;        ///< Fifth column integral in 0..127 (0 where there is none).
