@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/verge/options.hpp"
+
+#include <map>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace verge::app {
+
+void add_input_options(CLI::App& verb, InputRequest& request) {
+  verb.add_option("SCANS", request.paths, "files or folders of scans; - is standard input");
+  verb.add_option("--format", request.format, "read as kitti, nuscenes, pcd, ply or csv instead of guessing")
+      ->type_name("F");
+  verb.add_option("--frames", request.frames,
+                  "only the scans A to B - 1, counted from 0; either may be missing")
+      ->type_name("A:B");
+  verb.add_option("--max-mem", request.max_mem_mib, "most memory that one scan may take")
+      ->type_name("MIB")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1 << 20));
+}
+
+void add_damage_options(CLI::App& verb, DamagePolicy& policy) {
+  auto* allow = verb.add_flag("--allow-damaged", policy.allow, "damaged scans do not make the run fail");
+  verb.add_flag("--strict", policy.strict, "one damaged scan makes the run fail, without output")
+      ->excludes(allow);
+}
+
+void add_console_options(CLI::App& verb, Console::Options& options) {
+  const std::map<std::string, ProgressMode> modes{
+      {"auto", ProgressMode::kAuto}, {"always", ProgressMode::kAlways}, {"never", ProgressMode::kNever}};
+  verb.add_option("--progress", options.progress, "progress line: auto (on a terminal), always or never")
+      ->type_name("WHEN")
+      ->transform(CLI::CheckedTransformer(modes).description(""));
+  verb.add_flag("--quiet", options.quiet, "errors and warnings only");
+}
+
+}  // namespace verge::app

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "verge/core/error.hpp"
+
+namespace verge::app {
+
+/// Kind of a TOML value.
+enum class TomlKind : std::uint8_t { kText, kWhole, kNumber, kSwitch, kOther };
+
+/// One key of a TOML file with its value as text, and where they stand ("LINE:COL").
+struct TomlEntry {
+  std::string section;  ///< Empty for a key above the first section.
+  std::string key;      ///< Empty for the section's own name, which stands before its keys.
+  std::string value;
+  TomlKind kind = TomlKind::kOther;
+  std::string key_where;
+  std::string value_where;
+};
+
+/// The keys of a TOML file that has sections of plain values and nothing deeper, in the order in which they
+/// stand. Fails with kUsage and the place: cannot be read, longer than 1 MiB, not TOML.
+[[nodiscard]] Expected<std::vector<TomlEntry>> read_toml(const std::filesystem::path& file);
+
+}  // namespace verge::app
