@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/detect/gradient/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "verge/cluster/kmeans.hpp"
+#include "verge/cluster/runs.hpp"
+#include "verge/fit/line.hpp"
+
+namespace verge::detect::gradient {
+namespace {
+
+std::vector<Vec2> positions(const Layer& layer, const GradientPoints& points) {
+  std::vector<Vec2> p;
+  p.reserve(points.index.size());
+  for (const std::size_t i : points.index) p.push_back(layer.points[i].xy());
+  return p;
+}
+
+/// m for each adjacent pair: the spacing of a scan line's points grows with range.
+std::vector<double> gap_thresholds(const Layer& layer, const std::vector<Vec2>& p,
+                                   const GradientConfig& config) {
+  std::vector<double> m;
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    m.push_back(std::max(config.gap_min_m, config.gap_factor * norm(p[i]) * layer.spacing_rad));
+  }
+  return m;
+}
+
+std::vector<std::vector<std::size_t>> members_of(std::span<const cluster::PointRun> runs) {
+  std::vector<std::vector<std::size_t>> members;
+  for (const cluster::PointRun& run : runs) {
+    members.emplace_back();
+    for (std::size_t i = run.begin; i < run.end; ++i) members.back().push_back(i);
+  }
+  return members;
+}
+
+std::vector<std::vector<std::size_t>> kmeans_clusters(const std::vector<Vec2>& p,
+                                                      const std::vector<Vec2>& start) {
+  const auto result = cluster::kmeans(p, start);
+  return cluster::clusters_of(result.label, result.centres.size());
+}
+
+/// Clusters of at least `least` points, from the road outward.
+std::vector<std::vector<std::size_t>> large_ones(std::vector<std::vector<std::size_t>> clusters,
+                                                 std::int64_t least) {
+  auto kept = cluster::keep_larger_than(clusters, static_cast<std::size_t>(least - 1));
+  std::sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.front() < b.front(); });
+  return kept;
+}
+
+/// The foot of a step by its own evidence: along the ring, the straight line of the road before the step, and
+/// the place where the heights leave it for good. Without it, boundaries sit some 0.1 m up the ramp.
+class FootFinder {
+ public:
+  FootFinder(const Layer& layer, std::size_t begin, std::size_t end)
+      : layer_(layer), arc_(arc_of(layer)), begin_(begin), end_(end) {}
+
+  [[nodiscard]] std::optional<Vec3> find() const {
+    constexpr double kFar = 1.25;
+    std::size_t last = 0;
+    for (const double near : {0.35, 0.1}) {
+      const std::vector<Vec2> road = road_heights(kFar, near, last);
+      if (road.size() < 4) continue;
+      if (const auto line = fit::fit_line_ordinary(road)) return departure(*line, last);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// (arc, height) of the returns from `far` to `near` metres before the step; `last` = the index of the last
+  /// of them.
+  [[nodiscard]] std::vector<Vec2> road_heights(double far, double near, std::size_t& last) const {
+    std::vector<Vec2> road;
+    for (std::size_t i = 0; i < begin_; ++i) {
+      const double before = arc_[begin_] - arc_[i];
+      if (before > far || before < near) continue;
+      road.push_back({-before, layer_.points[i].z});
+      last = i;
+    }
+    return road;
+  }
+
+  [[nodiscard]] double residual(const fit::Line& line, std::size_t i) const {
+    return fit::signed_distance(line, {arc_[i] - arc_[begin_], layer_.points[i].z});
+  }
+
+  [[nodiscard]] std::optional<Vec3> departure(const fit::LineFit& road, std::size_t last) const {
+    const double on_road = std::max(0.014, 2.5 * road.residuals.rms_m);
+    const double off_road = std::max(0.04, 1.5 * on_road);
+    std::size_t i = last + 1;
+    while (i < end_ && !(residual(road.line, i) > off_road)) ++i;
+    if (i >= end_) return std::nullopt;
+    while (i > last + 1 && residual(road.line, i) > on_road) --i;
+    const std::size_t next = std::min(i + 1, end_ - 1);
+    return 0.5 * (layer_.points[i] + layer_.points[next]);
+  }
+
+  const Layer& layer_;
+  std::vector<double> arc_;
+  std::size_t begin_;
+  std::size_t end_;
+};
+
+}  // namespace
+
+LayerClusters cluster_layer(const Layer& layer, const GradientPoints& points, const GradientConfig& config) {
+  const std::vector<Vec2> p = positions(layer, points);
+  if (p.empty()) return {};
+  const std::vector<double> d = cluster::adjacent_distances(p);
+  if (config.reading == Reading::kPaper) {
+    const std::size_t K = cluster::cluster_count_as_printed(d, config.gap_min_m);
+    return {K, large_ones(kmeans_clusters(p, cluster::farthest_first(p, K)), config.points_min)};
+  }
+  const std::vector<cluster::PointRun> runs =
+      cluster::gap_separated_runs(p.size(), d, gap_thresholds(layer, p, config));
+  const bool by_kmeans = config.clustering == Clustering::kKMeans;
+  auto clusters = by_kmeans ? kmeans_clusters(p, cluster::run_means(p, runs)) : members_of(runs);
+  return {runs.size(), large_ones(std::move(clusters), config.points_min)};
+}
+
+std::optional<Candidate> first_outward(const Layer& layer, const GradientPoints& points,
+                                       const LayerClusters& clusters, const Obstacles& obstacles,
+                                       const GradientConfig& config) {
+  if (clusters.clusters.empty()) return std::nullopt;
+  const std::vector<std::size_t>& first = clusters.clusters.front();
+  const auto peak = *std::max_element(first.begin(), first.end(), [&](std::size_t a, std::size_t b) {
+    return points.rise_m[a] < points.rise_m[b];
+  });
+  if (points.rise_m[peak] > config.rise_max_m) return std::nullopt;
+  const std::size_t begin = points.index[first.front()];
+  const std::size_t end = std::min(std::max(points.index[peak], begin + 1) + 1, layer.points.size());
+  const Vec3 foot = FootFinder(layer, begin, end).find().value_or(layer.points[begin]);
+  return Candidate{layer.ring, layer.elevation_rad, foot, points.rise_m[peak],
+                   obstacles.stand_above(foot, layer.region)};
+}
+
+}  // namespace verge::detect::gradient

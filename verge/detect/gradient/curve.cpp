@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/detect/gradient/curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verge/fit/bspline.hpp"
+#include "verge/fit/bspline_interpolation.hpp"
+#include "verge/fit/bspline_least_squares.hpp"
+#include "verge/fit/curvature.hpp"
+#include "verge/fit/line.hpp"
+#include "verge/fit/path.hpp"
+
+namespace verge::detect::gradient {
+namespace {
+
+constexpr double kScaleFloor = 0.02;  // metres: feet are no better known than this
+
+/// The line's points from the first to the last station that was fitted, in the order of the points.
+Curve straight(const fit::Line& line, std::span<const Vec2> points, double step) {
+  double first = fit::station(line, points.front());
+  double last = first;
+  for (const Vec2 p : points) {
+    first = std::min(first, fit::station(line, p));
+    last = std::max(last, fit::station(line, p));
+  }
+  const bool forward = fit::station(line, points.front()) <= fit::station(line, points.back());
+  if (!forward) std::swap(first, last);
+  const int n = std::max(1, static_cast<int>(std::ceil(std::abs(last - first) / step)));
+  Curve curve;
+  for (int i = 0; i <= n; ++i) curve.points.push_back(fit::point_at(line, first + (last - first) * i / n));
+  return curve;
+}
+
+/// The cubic B-spline through the key points.
+std::optional<Curve> through(const std::vector<Vec2>& key_points, fit::Parameterization parameters,
+                             double step) {
+  fit::InterpolationOptions options;
+  options.parameterization = parameters;
+  const auto spline = fit::interpolate(key_points, options);
+  if (!spline) return std::nullopt;
+  return Curve{Model::kSpline, fit::sample(*spline, step), key_points};
+}
+
+std::vector<Vec2> without_duplicates(std::span<const Vec2> points) {
+  return fit::gather(points, fit::drop_duplicates(points));
+}
+
+/// The key points and, where they lie farther apart than `gap_m`, samples between them: where the curvature
+/// is even, nothing else would hold the interpolating curve.
+std::vector<std::size_t> with_gaps_filled(const std::vector<std::size_t>& key,
+                                          const std::vector<Vec2>& samples, double gap_m) {
+  const std::vector<double> arc = fit::arc_lengths(samples);
+  std::vector<std::size_t> filled{key.front()};
+  for (std::size_t k = 1; k < key.size(); ++k) {
+    const std::size_t from = key[k - 1];
+    const auto parts = static_cast<std::size_t>(std::ceil((arc[key[k]] - arc[from]) / gap_m));
+    for (std::size_t part = 1; part < parts; ++part) filled.push_back(from + (key[k] - from) * part / parts);
+    filled.push_back(key[k]);
+  }
+  return filled;
+}
+
+/// Key points of the smoothed boundary: III-2 on samples of a least-squares spline.
+std::vector<Vec2> smooth_key_points(const std::vector<Vec2>& points, const GradientConfig& config) {
+  constexpr double kSample = 0.25;  // metres
+  fit::SplineFitOptions options;
+  options.span_m = config.spline_span_m;
+  options.penalty = config.spline_penalty;
+  options.robust = fit::RobustOptions{};
+  options.robust->scale_floor_m = kScaleFloor;
+  const auto smooth = fit::fit_spline(points, options);
+  if (!smooth) return points;
+  const std::vector<Vec2> samples = fit::sample(smooth->curve, kSample);
+  const std::vector<std::size_t> key = fit::smoothed_key_points(samples, config.key_window_m);
+  return without_duplicates(fit::gather(samples, with_gaps_filled(key, samples, config.spline_span_m)));
+}
+
+}  // namespace
+
+std::optional<Curve> fit_curve(std::span<const Vec2> points, const GradientConfig& config) {
+  fit::RobustOptions robust;
+  robust.scale_floor_m = kScaleFloor;
+  const auto line = fit::fit_line_robust(points, robust);
+  if (!line) return std::nullopt;
+  if (line->residuals.p95_m <= config.line_residual_m)
+    return straight(line->line, points, config.sample_step_m);
+  const std::vector<Vec2> key_points = smooth_key_points(without_duplicates(points), config);
+  if (auto curve = through(key_points, fit::Parameterization::kCentripetal, config.sample_step_m))
+    return curve;
+  return straight(line->line, points, config.sample_step_m);
+}
+
+std::optional<Curve> fit_curve_as_printed(std::span<const Vec2> points, const GradientConfig& config) {
+  const std::vector<Vec2> ordered =
+      without_duplicates(fit::gather(points, fit::order_along(points, {1.0, 0.0})));
+  const auto line = fit::fit_line_ordinary(ordered);
+  if (!line) return std::nullopt;
+  if (line->residuals.p95_m <= config.line_residual_m)
+    return straight(line->line, ordered, config.sample_step_m);
+  const std::vector<Vec2> key_points = fit::gather(ordered, fit::key_points(fit::curvature(ordered)));
+  return through(key_points, fit::Parameterization::kChordLength, config.sample_step_m);
+}
+
+}  // namespace verge::detect::gradient

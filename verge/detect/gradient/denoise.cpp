@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/detect/gradient/denoise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace verge::detect::gradient {
+namespace {
+
+/// Distance on level ground between two rings of those elevations, at ground range rho: (rho^2 + h^2) / h per
+/// radian.
+double ring_spacing(double rho, double height, double elevation_a, double elevation_b) {
+  constexpr double kLowest = 0.1;  // metres
+  const double h = std::max(height, kLowest);
+  return (rho * rho + h * h) / h * std::abs(elevation_a - elevation_b);
+}
+
+/// Unit vector from a to b; none where they coincide.
+std::optional<Vec2> direction(Vec2 a, Vec2 b) {
+  const double length = distance(a, b);
+  if (!(length > 1e-6)) return std::nullopt;
+  return (1.0 / length) * (b - a);
+}
+
+Vec2 foot_of(const Candidate& c) { return c.foot.xy(); }
+
+/// Direction of the last few points of a chain; none while they are too close together to tell.
+std::optional<Vec2> heading_of(const Chain& chain) {
+  constexpr std::size_t kLast = 4;
+  constexpr double kLeast = 0.4;  // metres
+  const std::size_t first = chain.points.size() > kLast ? chain.points.size() - kLast : 0;
+  const Vec2 a = foot_of(chain.points[first]);
+  const Vec2 b = foot_of(chain.points.back());
+  return distance(a, b) > kLeast ? direction(a, b) : std::nullopt;
+}
+
+/// Distance from the chain's end where the candidate continues it; none where it does not.
+std::optional<double> continues(const Chain& chain, const Candidate& next, double height,
+                                const GradientConfig& config) {
+  const Candidate& last = chain.points.back();
+  if (chain.obstacle != next.obstacle || next.ring <= last.ring) return std::nullopt;
+  if (next.ring - last.ring > static_cast<std::size_t>(config.link_skip) + 1) return std::nullopt;
+  const Vec2 step = foot_of(next) - foot_of(last);
+  const double spacing = ring_spacing(norm(foot_of(next)), height, last.elevation_rad, next.elevation_rad);
+  if (norm(step) > std::max(config.link_min_m, config.link_factor * spacing)) return std::nullopt;
+  if (const auto heading = heading_of(chain)) {
+    constexpr double kBack = -0.1;     // metres: noise may take a step back
+    constexpr double kPerMetre = 0.2;  // a boundary may bend
+    const double along = dot(*heading, step);
+    const double aside = std::abs(cross(*heading, step));
+    if (along < kBack || aside > config.link_lateral_m + kPerMetre * std::max(along, 0.0))
+      return std::nullopt;
+  }
+  return norm(step);
+}
+
+/// Whether a rear chain runs on from a front chain, and how far apart their inner ends are.
+std::optional<double> runs_on(const Chain& front, const Chain& rear, const GradientConfig& config) {
+  constexpr double kTouching = 0.3;  // metres: too close for a direction of its own
+  constexpr double kFarthest = 8.0;
+  constexpr std::size_t kLook = 3;  // points from the end that show its direction
+  const Vec2 a = foot_of(front.points.front());
+  const Vec2 b = foot_of(rear.points.front());
+  const double apart = distance(a, b);
+  const double reach = 1.2 * std::max(norm(a), norm(b)) +
+                       1.0;  // rings that touch the boundary leave about twice its distance open
+  if (front.obstacle != rear.obstacle || apart > std::min(kFarthest, reach)) return std::nullopt;
+  if (apart <= kTouching) return apart;
+  const auto bridge = direction(b, a);
+  const auto ahead = direction(a, foot_of(front.points[std::min(kLook, front.points.size() - 1)]));
+  const auto behind = direction(foot_of(rear.points[std::min(kLook, rear.points.size() - 1)]), b);
+  if (!bridge || !ahead || !behind) return std::nullopt;
+  const double worst = std::min({dot(*ahead, *bridge), dot(*behind, *bridge), dot(*ahead, *behind)});
+  return worst >= config.join_cosine ? std::optional(apart) : std::nullopt;
+}
+
+Strand strand_of(const Chain* rear, const Chain* front, bool right) {
+  Strand strand;
+  strand.right = right;
+  strand.obstacle = (rear != nullptr ? rear : front)->obstacle;
+  if (rear != nullptr) strand.points.assign(rear->points.rbegin(), rear->points.rend());
+  const std::size_t bridge = strand.points.size();
+  if (front != nullptr) strand.points.insert(strand.points.end(), front->points.begin(), front->points.end());
+  strand.bridged.assign(strand.points.size() - 1, false);
+  if (rear != nullptr && front != nullptr) strand.bridged[bridge - 1] = true;
+  return strand;
+}
+
+bool is_wall(const Strand& strand, const GradientConfig& config) {
+  return distance(foot_of(strand.points.front()), foot_of(strand.points.back())) >= config.wall_length_m;
+}
+
+}  // namespace
+
+std::vector<Chain> link_layers(Quadrant region, const std::vector<Candidate>& candidates, double height_m,
+                               const GradientConfig& config) {
+  std::vector<Chain> chains;
+  for (const Candidate& next : candidates) {
+    Chain* best = nullptr;
+    double nearest = 0.0;
+    for (Chain& chain : chains) {
+      const auto apart = continues(chain, next, height_m, config);
+      if (apart && (best == nullptr || *apart < nearest)) {
+        best = &chain;
+        nearest = *apart;
+      }
+    }
+    if (best != nullptr) {
+      best->points.push_back(next);
+    } else {
+      chains.push_back({region, next.obstacle, {next}});
+    }
+  }
+  std::erase_if(
+      chains, [&](const Chain& c) { return static_cast<std::int64_t>(c.points.size()) < config.layers_min; });
+  return chains;
+}
+
+std::vector<Strand> join_front_and_rear(const std::vector<Chain>& chains, bool right,
+                                        const GradientConfig& config) {
+  std::vector<Strand> strands;
+  std::vector<const Chain*> rear;
+  for (const Chain& chain : chains) {
+    if (is_right(chain.region) == right && !is_front(chain.region)) rear.push_back(&chain);
+  }
+  for (const Chain& front : chains) {
+    if (is_right(front.region) != right || !is_front(front.region)) continue;
+    auto best = rear.end();
+    double nearest = 0.0;
+    for (auto it = rear.begin(); it != rear.end(); ++it) {
+      const auto apart = runs_on(front, **it, config);
+      if (apart && (best == rear.end() || *apart < nearest)) {
+        best = it;
+        nearest = *apart;
+      }
+    }
+    strands.push_back(strand_of(best == rear.end() ? nullptr : *best, &front, right));
+    if (best != rear.end()) rear.erase(best);
+  }
+  for (const Chain* chain : rear) strands.push_back(strand_of(chain, nullptr, right));
+  std::erase_if(strands, [&](const Strand& s) { return s.obstacle && !is_wall(s, config); });
+  return strands;
+}
+
+}  // namespace verge::detect::gradient

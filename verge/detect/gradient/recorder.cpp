@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/detect/gradient/recorder.hpp"
+
+namespace verge::detect::gradient {
+
+Trace::Points& Recorder::points_named(const char* name) {
+  for (Trace::Points& layer : trace_->points) {
+    if (layer.name == name) return layer;
+  }
+  return trace_->points.emplace_back(Trace::Points{name, {}, {}});
+}
+
+void Recorder::add(Trace::Points& layer, Vec3 p_level, int group) {
+  layer.points.push_back(frame_.to_sensor(p_level));
+  layer.group.push_back(group);
+}
+
+void Recorder::layers(const std::vector<LowRing>& low, const std::vector<Layer>& layers,
+                      const std::vector<GradientPoints>& points, const std::vector<LayerClusters>& clusters) {
+  if (trace_ == nullptr) return;
+  Trace::Points& gate = points_named("low");
+  for (const LowRing& ring : low) {
+    for (const Vec3 p : ring.points) add(gate, p, static_cast<int>(ring.ring));
+  }
+  Trace::Points& gradient = points_named("gradient points");
+  Trace::Values k{"K", {}};
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    for (const std::size_t index : points[i].index) {
+      add(gradient, layers[i].points[index], static_cast<int>(layers[i].region));
+    }
+    k.values.push_back(static_cast<double>(clusters[i].K));
+  }
+  trace_->values.push_back(std::move(k));
+}
+
+void Recorder::candidates(Quadrant region, const std::vector<Candidate>& candidates) {
+  if (trace_ == nullptr) return;
+  Trace::Points& layer = points_named("candidates");
+  for (const Candidate& c : candidates) add(layer, c.foot, static_cast<int>(region));
+}
+
+void Recorder::strands(const std::vector<Strand>& strands) {
+  if (trace_ == nullptr) return;
+  Trace::Points& layer = points_named("clusters");
+  for (std::size_t k = 0; k < strands.size(); ++k) {
+    for (const Candidate& c : strands[k].points) add(layer, c.foot, static_cast<int>(k));
+  }
+}
+
+void Recorder::fitted(const std::vector<Fitted>& fitted) {
+  if (trace_ == nullptr) return;
+  Trace::Points& keys = points_named("key points");
+  for (std::size_t k = 0; k < fitted.size(); ++k) {
+    const std::vector<Vec3>& line = fitted[k].boundary.points;
+    Trace::Line fit{"fit", {}};
+    for (const Vec3 p : line) fit.points.push_back(frame_.to_sensor(p));
+    trace_->lines.push_back(std::move(fit));
+    const double z = line.empty() ? 0.0 : line.front().z;
+    for (const Vec2 q : fitted[k].key_points) add(keys, {q.x, q.y, z}, static_cast<int>(k));
+  }
+}
+
+}  // namespace verge::detect::gradient

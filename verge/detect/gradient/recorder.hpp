@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "verge/detect/gradient/boundaries.hpp"
+#include "verge/detect/gradient/candidates.hpp"
+#include "verge/detect/gradient/denoise.hpp"
+#include "verge/detect/gradient/regions.hpp"
+#include "verge/model/trace.hpp"
+#include "verge/scan/mount.hpp"
+
+namespace verge::detect::gradient {
+
+/// Writes the method's intermediates into a Trace, in the sensor's frame; does nothing where there is no
+/// trace.
+class Recorder {
+ public:
+  Recorder(Trace* trace, const LevelFrame& frame) : trace_(trace), frame_(frame) {}
+
+  void layers(const std::vector<LowRing>& low, const std::vector<Layer>& layers,
+              const std::vector<GradientPoints>& points, const std::vector<LayerClusters>& clusters);
+  void candidates(Quadrant region, const std::vector<Candidate>& candidates);
+  void strands(const std::vector<Strand>& strands);
+  void fitted(const std::vector<Fitted>& fitted);
+
+ private:
+  [[nodiscard]] Trace::Points& points_named(const char* name);
+  void add(Trace::Points& layer, Vec3 p_level, int group);
+
+  Trace* trace_;
+  const LevelFrame& frame_;
+};
+
+}  // namespace verge::detect::gradient
