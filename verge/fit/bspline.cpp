@@ -35,6 +35,9 @@ std::size_t span_of(std::span<const double> t, std::size_t degree, double u) {
   return k;
 }
 
+constexpr int kPiecesForLength = 32;  // the length is then good to 1e-4 where one span bends by 90 degrees
+constexpr int kPiecesForFeet = 16;    // only the start of an iteration
+
 /// A dense polyline of the curve with the parameter and arc length at each of its points.
 struct Table {
   std::vector<double> u;
@@ -42,8 +45,8 @@ struct Table {
   std::vector<double> s;
 };
 
-Table tabulate(const BSpline& curve) {
-  constexpr int kPieces = 32;  // a span: the polyline's length is then good to 1e-4 for a bend of 90 degrees
+/// `pieces` chords a span.
+Table tabulate(const BSpline& curve, int pieces) {
   Table table;
   const auto add = [&](double u) {
     const Vec2 p = evaluate(curve, u);
@@ -55,7 +58,7 @@ Table tabulate(const BSpline& curve) {
   add(t[curve.degree]);
   for (std::size_t k = curve.degree; k + 1 + curve.degree < t.size(); ++k) {
     if (t[k] == t[k + 1]) continue;
-    for (int piece = 1; piece < kPieces; ++piece) add(t[k] + (t[k + 1] - t[k]) * piece / kPieces);
+    for (int piece = 1; piece < pieces; ++piece) add(t[k] + (t[k + 1] - t[k]) * piece / pieces);
     add(t[k + 1]);
   }
   return table;
@@ -87,14 +90,17 @@ double nearest_on_polyline(const Table& table, Vec2 p) {
   return best_u;
 }
 
-/// Gauss-Newton on (C(u) - p) . C'(u) = 0 from u; a step that does not come nearer ends it.
+/// Gauss-Newton on (C(u) - p) . C'(u) = 0 from u, until a step is too short to matter or does not come
+/// nearer.
 double refine(const BSpline& curve, const BSpline& tangent, Vec2 p, double u) {
   const Domain d = domain(curve.knots, curve.degree);
+  const double shortest = 1e-10 * (d.to - d.from);
   Vec2 offset = p - evaluate(curve, u);
   constexpr int kSteps = 8;
   for (int i = 0; i < kSteps; ++i) {
     const Vec2 velocity = evaluate(tangent, u);
     const double next = std::clamp(u + ratio(dot(offset, velocity), dot(velocity, velocity)), d.from, d.to);
+    if (std::abs(next - u) <= shortest) break;
     const Vec2 next_offset = p - evaluate(curve, next);
     if (!(dot(next_offset, next_offset) < dot(offset, offset))) break;
     u = next;
@@ -151,7 +157,7 @@ BSpline derivative(const BSpline& curve) {
 
 std::vector<Vec2> sample(const BSpline& curve, double step_m) {
   assert(step_m > 0.0);
-  const Table table = tabulate(curve);
+  const Table table = tabulate(curve, kPiecesForLength);
   const double total = table.s.back();
   if (total == 0.0) return {table.points.front()};
   constexpr double kSlack =
@@ -164,10 +170,10 @@ std::vector<Vec2> sample(const BSpline& curve, double step_m) {
   return out;
 }
 
-double length(const BSpline& curve) { return tabulate(curve).s.back(); }
+double length(const BSpline& curve) { return tabulate(curve, kPiecesForLength).s.back(); }
 
 std::vector<double> nearest_parameters(const BSpline& curve, std::span<const Vec2> points) {
-  const Table table = tabulate(curve);
+  const Table table = tabulate(curve, kPiecesForFeet);
   const BSpline tangent = derivative(curve);
   std::vector<double> u;
   u.reserve(points.size());

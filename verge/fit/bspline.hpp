@@ -56,7 +56,7 @@ struct BasisRow {
 [[nodiscard]] double length(const BSpline& curve);
 
 /// The parameter of the curve's point that is nearest to each of `points` (of equals, the least). The stretch
-/// is chosen on a polyline of 32 chords a span, and the foot then found on the curve itself.
+/// is chosen on a polyline of 16 chords a span, and the foot then found on the curve itself.
 [[nodiscard]] std::vector<double> nearest_parameters(const BSpline& curve, std::span<const Vec2> points);
 
 /// Which last row the matrix of Eq. (3) has.

@@ -8,10 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include <unsupported/Eigen/Splines>
 
 namespace verge::fit {
 namespace {
@@ -62,22 +60,6 @@ TEST(Interpolation, ResidualsStayBelowANanometreOnAThousandKeyPoints) {
   for (int i = 0; i < 1000; ++i) q.push_back({0.1 * i, std::sin(0.05 * i) + 0.02 * ((i * 7919) % 11)});
   const auto curve = interpolate(q).value();
   EXPECT_LT(greatest_residual(curve, q, Parameterization::kCentripetal), 1e-9);
-}
-
-TEST(Interpolation, AgreesWithAnOutsideLibrary) {
-  rc::check([](const Raw& raw) {
-    const auto q = key_points_of(raw);
-    RC_PRE(q.size() >= 4U);
-    Eigen::Matrix2Xd columns(2, static_cast<Eigen::Index>(q.size()));
-    for (std::size_t i = 0; i < q.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) << q[i].x, q[i].y;
-    const auto theirs = Eigen::SplineFitting<Eigen::Spline<double, 2, 3>>::Interpolate(columns, 3);
-    const auto ours = interpolate(q, {.parameterization = Parameterization::kChordLength}).value();
-    for (int i = 0; i <= 100; ++i) {
-      const Eigen::Array2d expected = theirs(i / 100.0);
-      const Vec2 got = evaluate(ours, i / 100.0);
-      RC_ASSERT(std::hypot(got.x - expected(0), got.y - expected(1)) < 1e-7);
-    }
-  });
 }
 
 TEST(Interpolation, OfPointsOnALineStaysOnTheLine) {

@@ -52,15 +52,55 @@ void add_penalty(NormalEquations& sum, std::span<const double> knots, std::size_
   }
 }
 
+/// What of a fit depends on the knots and parameters alone, made once for all its iterations.
+struct Design {
+  std::size_t degree;
+  std::vector<double> knots;
+  std::vector<BasisRow> position;  ///< For each parameter.
+  std::vector<BasisRow> velocity;  ///< Of the derivative's knots and degree.
+};
+
+std::vector<BasisRow> rows_at(std::span<const double> knots, std::size_t degree, std::span<const double> u) {
+  std::vector<BasisRow> rows(u.size());
+  std::ranges::transform(u, rows.begin(), [&](double v) { return basis_row(knots, degree, v); });
+  return rows;
+}
+
+Design design(std::vector<double> knots, std::size_t degree, std::span<const double> u) {
+  auto position = rows_at(knots, degree, u);
+  auto velocity = rows_at(std::span(knots).subspan(1, knots.size() - 2), degree - 1, u);
+  return {degree, std::move(knots), std::move(position), std::move(velocity)};
+}
+
+Vec2 combine(const BasisRow& row, std::size_t degree, std::span<const Vec2> control_points) {
+  Vec2 sum;
+  for (std::size_t j = 0; j <= degree; ++j) sum = sum + row.values[j] * control_points[row.first + j];
+  return sum;
+}
+
+std::optional<BSpline> solve_design(const Design& at, std::span<const Vec2> points,
+                                    std::span<const double> weights, double penalty) {
+  const std::size_t size = at.knots.size() - at.degree - 1;
+  constexpr std::size_t kPenaltyBand = 2;
+  NormalEquations sum{BandedMatrix(size, std::max(at.degree, kPenaltyBand)), std::vector<Vec2>(size)};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const BasisRow& row = at.position[k];
+    add_equation(sum, row.first, row.values, at.degree + 1, weight_at(weights, k), points[k]);
+  }
+  add_penalty(sum, at.knots, at.degree, penalty);
+  auto control = solve(std::move(sum.a), std::move(sum.b));
+  if (!control) return std::nullopt;
+  return BSpline{at.degree, at.knots, std::move(*control)};
+}
+
 /// Signed distance of each point from the curve's tangent at its parameter.
-std::vector<double> normal_residuals(const BSpline& curve, std::span<const Vec2> points,
-                                     std::span<const double> u) {
+std::vector<double> normal_residuals(const BSpline& curve, const Design& at, std::span<const Vec2> points) {
   const BSpline tangent = derivative(curve);
   std::vector<double> out;
   out.reserve(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const Vec2 velocity = evaluate(tangent, u[k]);
-    const Vec2 offset = points[k] - evaluate(curve, u[k]);
+    const Vec2 velocity = combine(at.velocity[k], tangent.degree, tangent.control_points);
+    const Vec2 offset = points[k] - combine(at.position[k], curve.degree, curve.control_points);
     const double speed = norm(velocity);
     out.push_back(speed > 0.0 ? cross(velocity, offset) / speed : norm(offset));
   }
@@ -70,7 +110,7 @@ std::vector<double> normal_residuals(const BSpline& curve, std::span<const Vec2>
 /// Distance of each point from its foot on the curve, with the side it lies on as its sign.
 std::vector<double> orthogonal_residuals(const BSpline& curve, std::span<const Vec2> points) {
   const std::vector<double> u = nearest_parameters(curve, points);
-  std::vector<double> out = normal_residuals(curve, points, u);
+  std::vector<double> out = normal_residuals(curve, design(curve.knots, curve.degree, u), points);
   for (std::size_t k = 0; k < points.size(); ++k)
     out[k] = std::copysign(distance(points[k], evaluate(curve, u[k])), out[k]);
   return out;
@@ -94,7 +134,7 @@ struct Problem {
   std::span<const Vec2> points;
   std::span<const double> weights;
   std::size_t degree;
-  std::size_t control_points;
+  std::vector<double> knots;  ///< Of the first parameters: the later ones may be out of order.
   const SplineFitOptions& options;
 };
 
@@ -103,21 +143,19 @@ struct WeightedCurve {
   std::vector<double> weights;
 };
 
-std::optional<WeightedCurve> solve_with(const Problem& problem, std::span<const double> u,
+std::optional<WeightedCurve> solve_with(const Problem& problem, const Design& at,
                                         std::vector<double> weights) {
-  auto knots = knots_for(u, problem.control_points, problem.degree, problem.options.knots);
-  auto curve = least_squares_spline(problem.points, weights, u, std::move(knots), problem.degree,
-                                    problem.options.penalty);
+  auto curve = solve_design(at, problem.points, weights, problem.options.penalty);
   if (!curve) return std::nullopt;
   return WeightedCurve{std::move(*curve), std::move(weights)};
 }
 
 /// The robust iterations from `iteration` on, at fixed parameters.
-WeightedCurve reweighted(const Problem& problem, std::span<const double> u, WeightedCurve best, int iteration,
+WeightedCurve reweighted(const Problem& problem, const Design& at, WeightedCurve best, int iteration,
                          const RobustOptions& robust) {
   for (int i = iteration; i < robust.start_iterations + robust.iterations; ++i) {
-    const auto residuals = normal_residuals(best.curve, problem.points, u);
-    auto next = solve_with(problem, u, robust_weights(i, residuals, problem.weights, robust));
+    const auto residuals = normal_residuals(best.curve, at, problem.points);
+    auto next = solve_with(problem, at, robust_weights(i, residuals, problem.weights, robust));
     if (!next) break;  // too few points still weigh something: the curve before stands
     best = std::move(*next);
   }
@@ -129,10 +167,11 @@ std::optional<WeightedCurve> solve_in_rounds(const Problem& problem, std::vector
                                              std::vector<double> weights) {
   const auto& robust = problem.options.robust;
   for (int round = 0;; ++round) {
-    auto fit = solve_with(problem, u, std::move(weights));
+    const Design at = design(problem.knots, problem.degree, u);
+    auto fit = solve_with(problem, at, std::move(weights));
     if (!fit) return std::nullopt;
-    const int first_iteration = round == 0 || !robust ? 0 : robust->start_iterations;
-    if (robust) fit = reweighted(problem, u, std::move(*fit), first_iteration, *robust);
+    if (robust)
+      fit = reweighted(problem, at, std::move(*fit), round == 0 ? 0 : robust->start_iterations, *robust);
     if (round >= problem.options.projections) return fit;
     u = nearest_parameters(fit->curve, problem.points);
     weights = std::move(fit->weights);
@@ -145,17 +184,7 @@ std::optional<BSpline> least_squares_spline(std::span<const Vec2> points, std::s
                                             std::span<const double> parameters, std::vector<double> knots,
                                             std::size_t degree, double penalty) {
   assert(parameters.size() == points.size() && (weights.empty() || weights.size() == points.size()));
-  const std::size_t size = knots.size() - degree - 1;
-  constexpr std::size_t kPenaltyBand = 2;
-  NormalEquations sum{BandedMatrix(size, std::max(degree, kPenaltyBand)), std::vector<Vec2>(size)};
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const BasisRow row = basis_row(knots, degree, parameters[k]);
-    add_equation(sum, row.first, row.values, degree + 1, weight_at(weights, k), points[k]);
-  }
-  add_penalty(sum, knots, degree, penalty);
-  auto control = solve(std::move(sum.a), std::move(sum.b));
-  if (!control) return std::nullopt;
-  return BSpline{degree, std::move(knots), std::move(*control)};
+  return solve_design(design(std::move(knots), degree, parameters), points, weights, penalty);
 }
 
 std::optional<SplineFit> fit_spline(std::span<const Vec2> points, const SplineFitOptions& options,
@@ -165,9 +194,9 @@ std::optional<SplineFit> fit_spline(std::span<const Vec2> points, const SplineFi
   auto u = parameters(smooth, Parameterization::kChordLength);
   if (!u) return std::nullopt;
   const std::size_t degree = std::min(options.degree, points.size() - 1);
-  const double length_m = arc_lengths(smooth).back();
-  const Problem problem{points, weights, degree,
-                        control_point_count(length_m, degree, points.size(), options.span_m), options};
+  const std::size_t count =
+      control_point_count(arc_lengths(smooth).back(), degree, points.size(), options.span_m);
+  const Problem problem{points, weights, degree, knots_for(*u, count, degree, options.knots), options};
   auto fit = solve_in_rounds(problem, std::move(*u), weights_or_ones(weights, points.size()));
   if (!fit) return std::nullopt;
   auto residuals = summarise(orthogonal_residuals(fit->curve, points), weights);

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -53,24 +52,6 @@ double error_of(const BSpline& curve) {
   return std::sqrt(squares / static_cast<double>(points.size()));
 }
 
-/// D^2 as rows, written out from its definition on the Greville abscissae.
-Eigen::MatrixXd dense_penalty(const std::vector<double>& knots, std::size_t degree) {
-  const auto n = static_cast<Eigen::Index>(knots.size() - degree - 1);
-  const auto xi = [&](Eigen::Index i) {
-    double sum = 0.0;
-    for (std::size_t j = 1; j <= degree; ++j) sum += knots[static_cast<std::size_t>(i) + j];
-    return sum / static_cast<double>(degree);
-  };
-  const double h = (xi(n - 1) - xi(0)) / static_cast<double>(n - 1);
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n - 2, n);
-  for (Eigen::Index i = 0; i + 2 < n; ++i) {
-    rows(i, i) = h / (xi(i + 1) - xi(i));
-    rows(i, i + 2) = h / (xi(i + 2) - xi(i + 1));
-    rows(i, i + 1) = -rows(i, i) - rows(i, i + 2);
-  }
-  return rows;
-}
-
 TEST(LeastSquaresSpline, ReproducesACubicWhateverItsKnots) {
   const auto cubic = [](double u) { return Vec2{10.0 * u, 4.0 * u * u * u - 3.0 * u * u + u}; };
   std::vector<double> u;
@@ -90,39 +71,6 @@ TEST(LeastSquaresSpline, ReproducesAnEvenStraightLineWhateverThePenalty) {
   const auto curve = least_squares_spline(points, {}, u, uniform_knots(9, 3), 3, 1e6).value();
   for (int i = 0; i <= 50; ++i)
     EXPECT_LT(distance(evaluate(curve, i / 50.0), {3.0 + 20.0 * i / 50.0, 1.0 - 5.0 * i / 50.0}), 1e-6);
-}
-
-TEST(LeastSquaresSpline, AgreesWithADenseSolverOfAnOutsideLibrary) {
-  std::mt19937 engine(11);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  for (const double penalty : {0.0, 0.1, 10.0}) {
-    std::vector<double> u;
-    std::vector<Vec2> points;
-    std::vector<double> weights;
-    for (int i = 0; i < 60; ++i) {
-      u.push_back(uniform(engine));
-      points.push_back({10.0 * uniform(engine), uniform(engine)});
-      weights.push_back(uniform(engine));
-    }
-    const auto knots = uniform_knots(8, 3);
-    const Eigen::MatrixXd d2 = std::sqrt(penalty) * dense_penalty(knots, 3);
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(60 + d2.rows(), 8);
-    Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(60 + d2.rows(), 2);
-    rows.bottomRows(d2.rows()) = d2;
-    for (std::size_t k = 0; k < 60; ++k) {
-      const auto row = static_cast<Eigen::Index>(k);
-      const double root = std::sqrt(weights[k]);
-      for (std::size_t i = 0; i < 8; ++i)
-        rows(row, static_cast<Eigen::Index>(i)) = root * basis(knots, i, 4, u[k]);
-      right.row(row) << root * points[k].x, root * points[k].y;
-    }
-    const Eigen::MatrixX2d expected = rows.colPivHouseholderQr().solve(right);
-    const auto curve = least_squares_spline(points, weights, u, knots, 3, penalty).value();
-    for (std::size_t i = 0; i < 8; ++i) {
-      EXPECT_NEAR(curve.control_points[i].x, expected(static_cast<Eigen::Index>(i), 0), 1e-8);
-      EXPECT_NEAR(curve.control_points[i].y, expected(static_cast<Eigen::Index>(i), 1), 1e-8);
-    }
-  }
 }
 
 TEST(LeastSquaresSpline, WithAsManyControlPointsAsPointsInterpolates) {

@@ -254,12 +254,12 @@ TEST(BSpline, NearestParametersGiveTheFootOfEachPoint) {
   for (std::size_t i = 0; i < u.size(); ++i) EXPECT_LT(distance(evaluate(curve, u[i]), feet[i]), 0.01);
 }
 
-/// How far the curve strays from a polyline of 32 chords a span, about.
+/// How far the curve strays from a polyline of 16 chords a span, about.
 double greatest_sagitta(const BSpline& curve) {
   double greatest = 0.0;
   for (std::size_t k = curve.degree; k + 1 + curve.degree < curve.knots.size(); ++k) {
-    const double h = (curve.knots[k + 1] - curve.knots[k]) / 32.0;
-    for (int i = 0; i < 32; ++i) {
+    const double h = (curve.knots[k + 1] - curve.knots[k]) / 16.0;
+    for (int i = 0; i < 16; ++i) {
       const double u = curve.knots[k] + i * h;
       const Vec2 chord_middle = 0.5 * (evaluate(curve, u) + evaluate(curve, u + h));
       greatest = std::max(greatest, distance(evaluate(curve, u + 0.5 * h), chord_middle));

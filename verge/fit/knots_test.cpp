@@ -8,10 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include <unsupported/Eigen/Splines>
 
 namespace verge::fit {
 namespace {
@@ -56,17 +54,6 @@ TEST(Parameters, RunFromExactlyZeroToExactlyOneAndReverseWithThePoints) {
   });
 }
 
-TEST(Parameters, ChordLengthsAgreeWithAnOutsideLibrary) {
-  const std::vector<Vec2> q{{0.0, 0.0}, {1.0, 0.5}, {2.5, 0.0}, {2.5, 3.0}, {9.0, 3.5}};
-  Eigen::Matrix2Xd columns(2, 5);
-  for (Eigen::Index i = 0; i < 5; ++i)
-    columns.col(i) << q[static_cast<std::size_t>(i)].x, q[static_cast<std::size_t>(i)].y;
-  Eigen::RowVectorXd expected;
-  Eigen::ChordLengths(columns, expected);
-  const auto u = parameters(q, Parameterization::kChordLength).value();
-  for (std::size_t i = 0; i < u.size(); ++i) EXPECT_NEAR(u[i], expected(static_cast<Eigen::Index>(i)), 1e-15);
-}
-
 TEST(Knots, AveragedOnesAreThoseOfTheNurbsBooksExample) {
   // Piegl and Tiller, example 9.1: Q = (0,0), (3,4), (-1,4), (-4,0), (-4,-3), p = 3, chord length:
   // u = 0, 5/17, 9/17, 14/17, 1 and the one interior knot is their mean 28/51.
@@ -80,22 +67,6 @@ TEST(Knots, AveragedOnesAreThoseOfTheNurbsBooksExample) {
   EXPECT_EQ(std::vector<double>(knots.begin(), knots.begin() + 4), std::vector<double>(4, 0.0));
   EXPECT_DOUBLE_EQ(knots[4], 28.0 / 51.0);
   EXPECT_EQ(std::vector<double>(knots.begin() + 5, knots.end()), std::vector<double>(4, 1.0));
-}
-
-TEST(Knots, AveragedOnesAgreeWithAnOutsideLibrary) {
-  rc::check([](const std::vector<std::pair<std::uint8_t, std::int8_t>>& raw) {
-    const auto points = distinct_points(raw);
-    RC_PRE(points.size() >= 4U);
-    const auto u = parameters(points, Parameterization::kCentripetal).value();
-    const Eigen::RowVectorXd given =
-        Eigen::Map<const Eigen::RowVectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
-    Eigen::RowVectorXd expected;
-    Eigen::KnotAveraging(given, 3, expected);
-    const auto knots = averaged_knots(u, 3);
-    RC_ASSERT(static_cast<Eigen::Index>(knots.size()) == expected.size());
-    for (std::size_t i = 0; i < knots.size(); ++i)
-      RC_ASSERT(std::abs(knots[i] - expected(static_cast<Eigen::Index>(i))) < 1e-14);
-  });
 }
 
 TEST(Knots, UniformOnesDivideTheInteriorEvenly) {

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -142,25 +141,6 @@ TEST(Line, NoLineLiesNearerInTheSumOfSquares) {
     other.direction = turned(other.direction, turn / 80.0);
     other.centroid = other.centroid + Vec2{0.0, shift / 80.0};
     RC_ASSERT(cost(fit->line) <= cost(other) + 1e-9 * (1.0 + cost(other)));
-  });
-}
-
-TEST(Line, AgreesWithTheSingularVectorsOfAnOutsideLibrary) {
-  rc::check([](const Raw& raw) {
-    const auto points = points_of(raw);
-    const auto fit = fit_line(points);
-    RC_PRE(fit.has_value());
-    Eigen::MatrixX2d centred(static_cast<Eigen::Index>(points.size()), 2);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vec2 d = points[i] - fit->line.centroid;
-      centred.row(static_cast<Eigen::Index>(i)) << d.x, d.y;
-    }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(centred, Eigen::ComputeThinV);
-    const auto& sigma = svd.singularValues();
-    RC_PRE(sigma.size() == 1 || sigma(1) < 0.99 * sigma(0));
-    const double across =
-        fit->line.direction.x * svd.matrixV()(1, 0) - fit->line.direction.y * svd.matrixV()(0, 0);
-    RC_ASSERT(std::abs(across) < 1e-6);
   });
 }
 
