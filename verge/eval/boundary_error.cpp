@@ -74,6 +74,7 @@ double distance_to_side(const Scene& scene, const std::vector<Line>& lines, Side
 
 std::vector<Line> lines_of(const Scene& scene) {
   std::vector<Line> lines;
+  lines.reserve(scene.boundaries.size());
   for (const Boundary& boundary : scene.boundaries) lines.push_back(in_plane(boundary));
   return lines;
 }

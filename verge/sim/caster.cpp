@@ -115,7 +115,7 @@ Caster::~Caster() = default;
 
 std::optional<Hit> Caster::cast(Vec3 origin, Vec3 direction) const {
   RTCRayHit ray = make_ray(origin, direction);
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   rtcIntersect1(state_->scene.get(), &context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;

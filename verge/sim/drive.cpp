@@ -64,8 +64,10 @@ DriveConfig curved_road(double travel_m) {
   check_travel(travel_m);
   DriveConfig config;
   config.road.pieces = {{kBetweenTurns_m, 0.0}, left_turn()};
-  for (double ahead = 0.5 * kQuarterTurn_m; ahead < travel_m; ahead += kQuarterTurn_m) {
+  double ahead = 0.5 * kQuarterTurn_m;
+  while (ahead < travel_m) {
     config.road.pieces.push_back(other_way(config.road.pieces.back()));
+    ahead += kQuarterTurn_m;
   }
   config.road.pieces.push_back({kBetweenTurns_m, 0.0});
   config.course.start_m = kBetweenTurns_m + 0.5 * kQuarterTurn_m;
@@ -80,10 +82,12 @@ DriveConfig demo_drive(double travel_m) {
   config.road.houses = Houses{};
   config.road.pieces = {{config.course.start_m + kBetweenTurns_m, 0.0}};
   Piece turn = left_turn();
-  for (double ahead = 0.0; ahead <= travel_m; ahead += kQuarterTurn_m + kBetweenTurns_m) {
+  double ahead = 0.0;
+  while (ahead <= travel_m) {
     config.road.pieces.push_back(turn);
     config.road.pieces.push_back({kBetweenTurns_m, 0.0});
     turn = other_way(turn);
+    ahead += kQuarterTurn_m + kBetweenTurns_m;
   }
   return config;
 }

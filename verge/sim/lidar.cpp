@@ -31,14 +31,19 @@ struct Firings {
   std::int64_t end = 0;
 };
 
+bool positive(double value) { return std::isfinite(value) && value > 0.0; }
+bool not_negative(double value) { return std::isfinite(value) && value >= 0.0; }
+
 void check(const sensor::BeamModel& model, const NoiseConfig& noise) {
-  if (model.lasers.empty() || model.firing_period_ns <= 0 || !(model.rate_hz > 0.0) ||
-      !(model.range_max_m > 0.0) || !(model.range_resolution_m >= 0.0)) {
-    throw std::invalid_argument("the sensor's model is not complete");
+  const bool has_lasers = !model.lasers.empty();
+  const bool turns = positive(model.rate_hz) && model.firing_period_ns > 0;
+  const bool ranges = positive(model.range_max_m) && not_negative(model.range_resolution_m);
+  if (!has_lasers || !turns || !ranges) throw std::invalid_argument("the sensor's model is not complete");
+  if (!not_negative(noise.range_sigma_m)) {
+    throw std::invalid_argument("the deviation of the noise must not be negative");
   }
-  if (!(noise.range_sigma_m >= 0.0) || !std::isfinite(noise.range_sigma_m) ||
-      !(noise.dropout_at_range_max >= 0.0 && noise.dropout_at_range_max <= 1.0)) {
-    throw std::invalid_argument("noise: the deviation must not be negative, the dropout must be 0 to 1");
+  if (!not_negative(noise.dropout_at_range_max) || noise.dropout_at_range_max > 1.0) {
+    throw std::invalid_argument("the share of lost returns must be 0 to 1");
   }
 }
 

@@ -50,8 +50,11 @@ void add_houses(World& world, const Road& road, const Houses& houses) {
   const double lateral =
       0.5 * road.config().width_m + road.config().sidewalk_width_m + houses.setback_m + 0.5 * houses.depth_m;
   const double ground = road.section().back().height_m;
-  for (double station = 0.5 * houses.length_m; station + 0.5 * houses.length_m <= road.length_m();
-       station += houses.length_m + houses.gap_m) {
+  const double pitch = houses.length_m + houses.gap_m;
+  const double room = road.length_m() - houses.length_m;
+  const std::size_t count = room < 0.0 ? 0 : static_cast<std::size_t>(room / pitch) + 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double station = 0.5 * houses.length_m + pitch * static_cast<double>(i);
     for (const double sign : kSides) {
       Vec3 base = road.point(station, sign * lateral);
       base.z = ground;
@@ -83,8 +86,11 @@ std::vector<double> mesh_stations(const Road& road) {
   std::vector<double> stations = {0.0};
   for (const Piece& piece : road.config().pieces) {
     const double begin = stations.back();
-    const double steps = std::ceil(piece.length_m / step_of(piece, reach));
-    for (double i = 1.0; i <= steps; i += 1.0) stations.push_back(begin + piece.length_m * i / steps);
+    const auto steps = static_cast<std::size_t>(std::ceil(piece.length_m / step_of(piece, reach)));
+    for (std::size_t i = 1; i <= steps; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(steps);
+      stations.push_back(begin + piece.length_m * share);
+    }
   }
   return stations;
 }
