@@ -9,7 +9,6 @@
 
 #include "verge/core/angle.hpp"
 #include "verge/sim/road_mesh.hpp"
-#include "verge/sim/truth.hpp"
 
 namespace verge::sim {
 namespace {
@@ -93,7 +92,10 @@ DriveConfig demo_drive(double travel_m) {
 }
 
 Drive::Drive(DriveConfig config)
-    : config_(checked(std::move(config))), road_(config_.road), world_(make_world(road_)) {}
+    : config_(checked(std::move(config))),
+      road_(config_.road),
+      curbs_(curb_feet(road_)),
+      world_(make_world(road_)) {}
 
 double Drive::station_at(std::int64_t time_ns) const {
   return config_.course.start_m + config_.course.speed_mps * 1e-9 * static_cast<double>(time_ns);
@@ -119,7 +121,7 @@ Simulated Drive::scan(std::uint64_t index) const {
   const std::int64_t begin_ns = *out.scan.stamp_ns;
   out.scan.stamp_ns = config_.course.stamp_begin_ns + begin_ns;
 
-  out.truth = truth_scene(road_, T_world_sensor(begin_ns), config_.truth_radius_m);
+  out.truth = truth_scene(curbs_, T_world_sensor(begin_ns), config_.truth_radius_m);
   out.truth.frame = out.scan.frame;
   out.truth.stamp_ns = out.scan.stamp_ns;
   out.mount = config_.mount;

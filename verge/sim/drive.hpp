@@ -12,6 +12,7 @@
 #include "verge/sim/caster.hpp"
 #include "verge/sim/lidar.hpp"
 #include "verge/sim/road.hpp"
+#include "verge/sim/truth.hpp"
 
 namespace verge::sim {
 
@@ -80,6 +81,7 @@ class Drive {
 
   DriveConfig config_;
   Road road_;
+  CurbFeet curbs_;
   Caster world_;
 };
 

@@ -48,15 +48,21 @@ Boundary boundary_of(Line line, Side side, double curb_height_m) {
 
 }  // namespace
 
-Scene truth_scene(const Road& road, const Pose& T_world_sensor, double radius_m) {
+CurbFeet curb_feet(const Road& road) {
+  return {.left = road.curb_foot(Side::kLeft),
+          .right = road.curb_foot(Side::kRight),
+          .height_m = road.config().curb_height_m};
+}
+
+Scene truth_scene(const CurbFeet& feet, const Pose& T_world_sensor, double radius_m) {
   const Pose T_sensor_world = inverse(T_world_sensor);
   Scene scene;
   scene.method = "truth";
   for (const Side side : std::array{Side::kLeft, Side::kRight}) {
-    Line foot = road.curb_foot(side);
+    Line foot = side == Side::kLeft ? feet.left : feet.right;
     for (Vec3& p : foot) p = T_sensor_world * p;
     for (Line& run : clip(foot, radius_m)) {
-      scene.boundaries.push_back(boundary_of(std::move(run), side, road.config().curb_height_m));
+      scene.boundaries.push_back(boundary_of(std::move(run), side, feet.height_m));
       scene.boundaries.back().id = static_cast<int>(scene.boundaries.size());
     }
   }

@@ -16,7 +16,7 @@ Pose at(Vec3 position, double yaw_rad) { return {from_yaw_pitch_roll(yaw_rad, 0.
 
 TEST(Truth, OnAStraightRoadTheKerbsAreLinesHalfAWidthToEachSide) {
   const Road road(RoadConfig{});
-  const Scene truth = truth_scene(road, at({100.0, 0.0, 1.9}, 0.0), 20.0);
+  const Scene truth = truth_scene(curb_feet(road), at({100.0, 0.0, 1.9}, 0.0), 20.0);
   ASSERT_EQ(truth.boundaries.size(), 2U);
   const Boundary& left = truth.boundaries[0];
   const Boundary& right = truth.boundaries[1];
@@ -32,7 +32,7 @@ TEST(Truth, OnAStraightRoadTheKerbsAreLinesHalfAWidthToEachSide) {
 
 TEST(Truth, IsClippedToTheRadiusAndRunsForward) {
   const Road road(RoadConfig{});
-  const Scene truth = truth_scene(road, at({100.0, 0.0, 1.9}, 0.0), 20.0);
+  const Scene truth = truth_scene(curb_feet(road), at({100.0, 0.0, 1.9}, 0.0), 20.0);
   for (const Boundary& boundary : truth.boundaries) {
     EXPECT_NEAR(boundary.points.front().x, -std::sqrt(20.0 * 20.0 - 16.0), 0.1);
     EXPECT_NEAR(boundary.points.back().x, std::sqrt(20.0 * 20.0 - 16.0), 0.1);
@@ -47,8 +47,8 @@ TEST(Truth, IsClippedToTheRadiusAndRunsForward) {
 TEST(Truth, TurnsAgainstTheTurnOfTheSensor) {
   const Road road(RoadConfig{});
   const double yaw = deg_to_rad(10.0);
-  const Scene straight = truth_scene(road, at({100.0, 0.5, 1.9}, 0.0), 20.0);
-  const Scene turned = truth_scene(road, at({100.0, 0.5, 1.9}, yaw), 20.0);
+  const Scene straight = truth_scene(curb_feet(road), at({100.0, 0.5, 1.9}, 0.0), 20.0);
+  const Scene turned = truth_scene(curb_feet(road), at({100.0, 0.5, 1.9}, yaw), 20.0);
   ASSERT_EQ(turned.boundaries.size(), straight.boundaries.size());
   for (std::size_t b = 0; b < turned.boundaries.size(); ++b) {
     const auto& points = turned.boundaries[b].points;
@@ -67,7 +67,7 @@ TEST(Truth, InACurveTheKerbsAreArcsAroundItsCentre) {
   const Road road(config);
   const Station middle = road.at(0.5 * road.length_m());
   const Pose T_world_sensor = at({middle.position.x, middle.position.y, 1.9}, middle.heading_rad);
-  const Scene truth = truth_scene(road, T_world_sensor, 20.0);
+  const Scene truth = truth_scene(curb_feet(road), T_world_sensor, 20.0);
   ASSERT_EQ(truth.boundaries.size(), 2U);
   for (const Boundary& boundary : truth.boundaries) {
     EXPECT_EQ(boundary.model, Model::kPolyline);
@@ -82,18 +82,19 @@ TEST(Truth, ABoundaryThatLeavesTheCircleAndComesBackIsTwo) {
   config.width_m = 4.0;
   config.sidewalk_width_m = 0.0;
   config.pieces = {{60.0, 0.0}, {std::numbers::pi * radius, 1.0 / radius}, {60.0, 0.0}};
-  const Scene truth = truth_scene(Road(config), at({20.0, 15.0, 1.9}, 0.0), 20.0);
+  const Scene truth = truth_scene(curb_feet(Road(config)), at({20.0, 15.0, 1.9}, 0.0), 20.0);
   EXPECT_EQ(truth.boundaries.size(), 4U);
 }
 
 TEST(Truth, FarFromTheRoadThereIsNone) {
-  EXPECT_TRUE(truth_scene(Road(RoadConfig{}), at({100.0, 300.0, 1.9}, 0.0), 30.0).boundaries.empty());
+  EXPECT_TRUE(
+      truth_scene(curb_feet(Road(RoadConfig{})), at({100.0, 300.0, 1.9}, 0.0), 30.0).boundaries.empty());
 }
 
 TEST(Truth, AKerbOfNoHeightIsFlush) {
   RoadConfig config;
   config.curb_height_m = 0.0;
-  const Scene truth = truth_scene(Road(config), at({100.0, 0.0, 1.9}, 0.0), 30.0);
+  const Scene truth = truth_scene(curb_feet(Road(config)), at({100.0, 0.0, 1.9}, 0.0), 30.0);
   EXPECT_EQ(truth.boundaries.at(0).kind, BoundaryKind::kFlush);
 }
 
