@@ -5,17 +5,16 @@
 //
 // Every benchmark alternates with the floor (bench/floor.hpp) on the same points; the counter x_floor is the
 // ratio of the two medians.
-#include <time.h>
-
 #include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bench/floor.hpp"
 #include <benchmark/benchmark.h>
+#include <time.h>
 
+#include "bench/floor.hpp"
 #include "verge/scan/organise.hpp"
 #include "verge/scan/test_clouds.hpp"
 
