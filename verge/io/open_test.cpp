@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -40,15 +39,6 @@ std::vector<std::string> outcomes(Source& source) {
 }
 
 std::string code(ErrorCode code) { return "!" + std::to_string(static_cast<int>(code)); }
-
-/// Resident memory of this process, bytes.
-std::size_t resident_bytes() {
-  std::ifstream statm("/proc/self/statm");
-  std::size_t total = 0;
-  std::size_t resident = 0;
-  statm >> total >> resident;
-  return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-}
 
 }  // namespace
 
@@ -154,23 +144,6 @@ TEST(Open, NotesAreSaidOnceARecording) {
   ASSERT_TRUE(source);
   EXPECT_EQ(outcomes(**source).size(), 5U);
   EXPECT_THAT(notes, ElementsAre(HasSubstr("4 rings")));
-}
-
-TEST(Open, MemoryDoesNotGrowWithTheFolder) {
-  const TemporaryFolder folder;
-  const std::string bytes = kitti_rings(16, 1000);  // 256 KB; all 200 links together 51 MB
-  folder.write("data", bytes);
-  for (int i = 0; i < 200; ++i)
-    std::filesystem::create_symlink("data", folder.path() / (std::to_string(i) + ".bin"));
-  const auto source = open(folder.path());
-  ASSERT_TRUE(source);
-  for (int i = 0; i < 20; ++i) ASSERT_TRUE((*source)->next().value());  // warm: the allocator has its share
-  const std::size_t before = resident_bytes();
-  std::size_t scans = 20;
-  while ((*source)->next().value()) ++scans;
-  EXPECT_EQ(scans, 200U);
-  // Keeping the other 180 scans would take 180 x 16,000 points x 28 B = 80 MB.
-  EXPECT_LT(resident_bytes(), before + (8U << 20U));
 }
 
 TEST(Open, EveryCallHasTheSameBytesForTheSameFile) {
