@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "verge/core/polyline.hpp"
+#include "verge/core/statistics.hpp"
 #include "verge/fit/path.hpp"
 
 namespace verge::detect::gradient {
@@ -33,7 +33,7 @@ class Profile {
 
   struct At {
     double z;
-    double rise;
+    double height;
     PointState state;
   };
   [[nodiscard]] At at(double share) const {
@@ -45,7 +45,7 @@ class Profile {
     const Candidate& b = strand_.points[i];
     constexpr double kAtEnd = 0.02;
     const bool between = t > kAtEnd && t < 1.0 - kAtEnd;
-    return {a.foot.z + t * (b.foot.z - a.foot.z), a.rise_m + t * (b.rise_m - a.rise_m),
+    return {a.foot.z + t * (b.foot.z - a.foot.z), a.height_m + t * (b.height_m - a.height_m),
             strand_.bridged[i - 1] && between ? PointState::kBridged : PointState::kVisible};
   }
 
@@ -71,18 +71,26 @@ double confidence_of(const Strand& strand) {
   return strand.obstacle ? 0.5 * support : support;
 }
 
-Fitted fitted(const Strand& strand, Curve curve) {
+/// A wall where high returns stand above it or the step itself is higher than a kerb.
+BoundaryKind kind_of(const Strand& strand, const GradientConfig& config) {
+  std::vector<double> height;
+  for (const Candidate& c : strand.points) height.push_back(c.height_m);
+  const bool high = median(height).value_or(0.0) > config.rise_max_m;
+  return strand.obstacle || high ? BoundaryKind::kWall : BoundaryKind::kCurb;
+}
+
+Fitted fitted(const Strand& strand, Curve curve, const GradientConfig& config) {
   Boundary b;
   b.side = strand.right ? Side::kRight : Side::kLeft;
   b.model = curve.model;
-  b.kind = strand.obstacle ? BoundaryKind::kWall : BoundaryKind::kCurb;
+  b.kind = kind_of(strand, config);
   b.confidence = confidence_of(strand);
   const Profile profile(strand);
   const std::vector<double> share = shares_of(curve.points);
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const Profile::At here = profile.at(share[i]);
     b.points.push_back({curve.points[i].x, curve.points[i].y, here.z});
-    b.height_m.push_back(here.rise);
+    b.height_m.push_back(here.height);
     b.state.push_back(here.state);
   }
   return {std::move(b), std::move(curve.key_points)};
@@ -93,7 +101,8 @@ Fitted fitted(const Strand& strand, Curve curve) {
 std::vector<Fitted> fit_boundaries(const std::vector<Strand>& strands, const GradientConfig& config) {
   std::vector<Fitted> out;
   for (const Strand& strand : strands) {
-    if (auto curve = fit_curve(feet_of(strand), config)) out.push_back(fitted(strand, *std::move(curve)));
+    if (auto curve = fit_curve(feet_of(strand), config))
+      out.push_back(fitted(strand, *std::move(curve), config));
   }
   return out;
 }

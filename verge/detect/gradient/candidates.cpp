@@ -53,6 +53,24 @@ std::vector<std::vector<std::size_t>> large_ones(std::vector<std::vector<std::si
   return kept;
 }
 
+/// How high the step is over its foot: the scan line is followed outward from `begin` while it climbs. The
+/// greatest rise alone says less where the line runs up the face over more than after_m.
+double height_over(const Layer& layer, std::size_t begin, Vec3 foot, const GradientConfig& config) {
+  constexpr double kReach = 2.0;  // metres: what climbs on is a slope behind the step
+  const std::vector<Vec3>& p = layer.points;
+  double top = foot.z;
+  double since_top = 0.0;
+  double walked = 0.0;
+  for (std::size_t i = begin + 1; i + 1 < p.size() && since_top <= config.after_m && walked < kReach; ++i) {
+    const double step = distance(p[i - 1].xy(), p[i].xy());
+    const double z = (p[i - 1].z + p[i].z + p[i + 1].z) / 3.0;
+    since_top = z > top ? 0.0 : since_top + step;
+    walked += step;
+    top = std::max(top, z);
+  }
+  return top - foot.z;
+}
+
 /// The foot of a step by its own evidence: along the ring, the straight line of the road before the step, and
 /// the place where the heights leave it for good. Without it, boundaries sit some 0.1 m up the ramp.
 class FootFinder {
@@ -135,8 +153,8 @@ std::optional<Candidate> first_outward(const Layer& layer, const GradientPoints&
   const std::size_t begin = points.index[first.front()];
   const std::size_t end = std::min(std::max(points.index[peak], begin + 1) + 1, layer.points.size());
   const Vec3 foot = FootFinder(layer, begin, end).find().value_or(layer.points[begin]);
-  return Candidate{layer.ring, layer.elevation_rad, foot, points.rise_m[peak],
-                   obstacles.stand_above(foot, layer.region)};
+  const double height = std::max(points.rise_m[peak], height_over(layer, begin, foot, config));
+  return Candidate{layer.ring, layer.elevation_rad, foot, height, obstacles.stand_above(foot, layer.region)};
 }
 
 }  // namespace verge::detect::gradient

@@ -32,8 +32,8 @@ struct LayerClusters {
 struct Candidate {
   std::size_t ring = 0;
   double elevation_rad = 0.0;
-  Vec3 foot;  ///< Level frame; the foot of the step, on the road's side.
-  double rise_m = 0.0;
+  Vec3 foot;              ///< Level frame; the foot of the step, on the road's side.
+  double height_m = 0.0;  ///< Of the step over its foot, as far as the scan line climbs it.
   bool obstacle = false;  ///< High returns stand above it: part of a vehicle or wall.
 };
 

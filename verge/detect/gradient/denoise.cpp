@@ -64,8 +64,8 @@ std::optional<double> runs_on(const Chain& front, const Chain& rear, const Gradi
   const Vec2 a = foot_of(front.points.front());
   const Vec2 b = foot_of(rear.points.front());
   const double apart = distance(a, b);
-  const double reach = 1.2 * std::max(norm(a), norm(b)) +
-                       1.0;  // rings that touch the boundary leave about twice its distance open
+  const double reach =
+      2.0 * std::max(norm(a), norm(b));  // the innermost scan line leaves at most its diameter open
   if (front.obstacle != rear.obstacle || apart > std::min(kFarthest, reach)) return std::nullopt;
   if (apart <= kTouching) return apart;
   const auto bridge = direction(b, a);

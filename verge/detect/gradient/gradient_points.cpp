@@ -12,6 +12,7 @@ namespace {
 constexpr double kSlopeMax = 0.15;
 constexpr std::size_t kLeastBefore = 5;  // returns that make a line with an error of its own
 constexpr std::size_t kLeastAfter = 3;
+constexpr double kClimbShare = 0.25;    // of the rise must be a climb from the last returns before it
 constexpr double kLeastBefore_m = 0.3;  // shorter lines say nothing of a slope
 
 /// Sums over prefixes of a layer, so that a line fit over any stretch of it is O(1).
@@ -56,6 +57,14 @@ struct RoadSlope {
     return std::sqrt(variance * (1.0 / n + 1.0 / n_before + lever));
   }
 };
+
+/// Mean height of the last returns before i: where a step down ends, what follows lies above the extrapolated
+/// slope but not above these.
+double height_before(const Prefix& prefix, std::size_t before, std::size_t i) {
+  const std::size_t near = i - before > kLeastBefore ? i - kLeastBefore : before;
+  const Prefix::Sums last = prefix.over(near, i);
+  return last.z / last.n;
+}
 
 /// The stretches before and after return i, within its piece.
 struct Windows {
@@ -103,7 +112,8 @@ GradientPoints gradient_points(const Layer& layer, const GradientConfig& config)
     const double arc_after = after.s / after.n;
     const double rise = after.z / after.n - road.height_at(arc_after);
     const double error = road.error_at(arc_after, after.n, before.n);
-    if (rise > std::max(config.rise_min_m, config.noise_factor * error)) {
+    const bool climbs = after.z / after.n - height_before(prefix, w.before, i) > kClimbShare * rise;
+    if (climbs && rise > std::max(config.rise_min_m, config.noise_factor * error)) {
       out.index.push_back(i);
       out.rise_m.push_back(rise);
     }
@@ -127,7 +137,7 @@ GradientPoints gradient_points_as_printed(const Layer& layer, const GradientConf
   std::size_t begin = 0;
   std::size_t falls = 0;
   for (std::size_t i = 1; i < p.size(); ++i) {
-    if (p[i].z < p[i - 1].z) ++falls;
+    if (p[i].z <= p[i - 1].z) ++falls;
     if (static_cast<double>(falls) <= kFallingShare * static_cast<double>(i - begin)) continue;
     accept(begin, i);
     begin = i;

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/detect/gradient/denoise.hpp"
+
+#include <gtest/gtest.h>
+
+#include "verge/core/angle.hpp"
+
+namespace verge::detect::gradient {
+namespace {
+
+constexpr double kHeight = 1.9;
+
+Candidate at(std::size_t ring, double x, double y, bool obstacle = false) {
+  return {ring, deg_to_rad(-20.0 + static_cast<double>(ring)), {x, y, 0.0}, 0.12, obstacle};
+}
+
+/// Feet along a straight kerb at y, on rings one degree apart.
+std::vector<Candidate> kerb(double y, std::size_t rings, double direction = 1.0) {
+  std::vector<Candidate> feet;
+  for (std::size_t r = 0; r < rings; ++r)
+    feet.push_back(at(r, direction * (4.0 + 0.4 * static_cast<double>(r)), y));
+  return feet;
+}
+
+TEST(LinkLayers, OneKerbIsOneChain) {
+  const auto chains = link_layers(Quadrant::kB, kerb(4.0, 8), kHeight, {});
+  ASSERT_EQ(chains.size(), 1U);
+  EXPECT_EQ(chains[0].points.size(), 8U);
+}
+
+TEST(LinkLayers, ALonePointAsideIsNoise) {
+  auto feet = kerb(4.0, 8);
+  feet[3] = at(3, 5.2, 1.0);
+  const auto chains = link_layers(Quadrant::kB, feet, kHeight, {});
+  ASSERT_EQ(chains.size(), 1U);
+  EXPECT_EQ(chains[0].points.size(), 7U);  // the scan line is skipped
+}
+
+TEST(LinkLayers, AKerbThatStepsBackIsTwoChains) {
+  std::vector<Candidate> feet = kerb(4.0, 4);
+  for (std::size_t r = 4; r < 8; ++r) feet.push_back(at(r, 4.0 + 0.4 * static_cast<double>(r), 6.5));
+  EXPECT_EQ(link_layers(Quadrant::kB, feet, kHeight, {}).size(), 2U);
+}
+
+TEST(LinkLayers, FewerLayersThanTheThresholdAreDropped) {
+  EXPECT_TRUE(link_layers(Quadrant::kB, kerb(4.0, 2), kHeight, {}).empty());
+  EXPECT_TRUE(link_layers(Quadrant::kB, {}, kHeight, {}).empty());
+}
+
+TEST(LinkLayers, ObstaclesChainAmongThemselves) {
+  auto feet = kerb(4.0, 8);
+  for (std::size_t r = 4; r < 8; ++r) feet[r].obstacle = true;
+  const auto chains = link_layers(Quadrant::kB, feet, kHeight, {});
+  ASSERT_EQ(chains.size(), 2U);
+  EXPECT_NE(chains[0].obstacle, chains[1].obstacle);
+}
+
+std::vector<Chain> left_side(const std::vector<Candidate>& front, const std::vector<Candidate>& rear) {
+  auto chains = link_layers(Quadrant::kB, front, kHeight, {});
+  for (Chain& chain : link_layers(Quadrant::kD, rear, kHeight, {})) chains.push_back(chain);
+  return chains;
+}
+
+TEST(Join, FrontAndRearOfOneKerbAreOneStrandFromRearToFront) {
+  const auto strands = join_front_and_rear(left_side(kerb(2.5, 6), kerb(2.5, 6, -1.0)), false, {});
+  ASSERT_EQ(strands.size(), 1U);
+  ASSERT_EQ(strands[0].points.size(), 12U);
+  EXPECT_LT(strands[0].points.front().foot.x, 0.0);
+  EXPECT_GT(strands[0].points.back().foot.x, 0.0);
+  for (std::size_t i = 0; i < strands[0].bridged.size(); ++i) EXPECT_EQ(strands[0].bridged[i], i == 5);
+}
+
+TEST(Join, ParallelKerbsStayApart) {
+  EXPECT_EQ(join_front_and_rear(left_side(kerb(2.5, 6), kerb(9.0, 6, -1.0)), false, {}).size(), 2U);
+}
+
+TEST(Join, TheOtherSideIsNotLookedAt) {
+  EXPECT_TRUE(join_front_and_rear(left_side(kerb(2.5, 6), {}), true, {}).empty());
+}
+
+TEST(Join, AShortObstacleIsAVehicleAndALongOneAWall) {
+  const auto obstacle = [](std::size_t rings) {
+    auto feet = kerb(4.0, rings);
+    for (Candidate& c : feet) c.obstacle = true;
+    return left_side(feet, {});
+  };
+  EXPECT_TRUE(join_front_and_rear(obstacle(8), false, {}).empty());  // 2.8 m
+  const auto walls = join_front_and_rear(obstacle(16), false, {});   // 6 m
+  ASSERT_EQ(walls.size(), 1U);
+  EXPECT_TRUE(walls[0].obstacle);
+}
+
+}  // namespace
+}  // namespace verge::detect::gradient
