@@ -52,8 +52,8 @@ ExitCode info(const InfoRequest& request) {
   }
   if (inputs->format()) facts.format = name_of(*inputs->format());
   const ExitCode code = exit_code_of(first_error, facts.counts, request.damage);
-  if (facts.counts.scans == 0) return code;
-  warn_of_damage(facts.counts, console);
+  if (code == ExitCode::kOk || code == ExitCode::kDamaged) warn_of_damage(facts.counts, console);
+  if (facts.counts.scans == 0 || code == ExitCode::kUnusable) return code;
   const ExitCode printed = print_data(request.json ? to_json(facts) : to_text(facts));
   return printed == ExitCode::kOk ? code : printed;
 }

@@ -76,10 +76,16 @@ std::string row(std::string_view name, const std::string& value) {
   return fmt::format("{:<10}  {}\n", name, value);
 }
 
+/// Without the sign of a negative number that rounds to 0.
+std::string fixed(double value, int digits) {
+  const double unit = std::pow(10.0, -digits);
+  return fmt::format("{:.{}f}", std::fabs(value) < 0.5 * unit ? 0.0 : value, digits);
+}
+
 /// "32", or "31 to 32" where scans differ.
 std::string extent(const Values& values, int digits) {
-  const std::string low = fmt::format("{:.{}f}", least(values), digits);
-  const std::string high = fmt::format("{:.{}f}", greatest(values), digits);
+  const std::string low = fixed(least(values), digits);
+  const std::string high = fixed(greatest(values), digits);
   return low == high ? low : fmt::format("{} to {}", low, high);
 }
 

@@ -33,8 +33,8 @@ class Settings(CliTest):
         self.check_config_refused("[gradient]\nzz = 1\naa = 1\n", "2:1", "'zz'")
 
     def test_value_that_does_not_fit_is_refused_at_its_place_with_the_range(self):
-        self.check_config_refused("[gradient]\nheight_max_m = 99.0\n", "2:16", "height_max_m", "0.05 to 5")
-        self.check_config_refused("[gradient]\nheight_max_m = nan\n", "2:16", "0.05 to 5")
+        self.check_config_refused("[gradient]\nheight_max_m = 99.0\n", "2:16", "height_max_m", "need 0.05 to ")
+        self.check_config_refused("[gradient]\nheight_max_m = nan\n", "2:16", "need 0.05 to ")
         self.check_config_refused('[gradient]\nheight_max_m = "0.4"\n', "2:16", "text does not fit")
         self.check_config_refused("[gradient]\nheight_max_m = [0.4]\n", "2:16", "does not fit")
         self.check_config_refused('[gradient]\nreading = "latin"\n', "2:11", "fixed or paper")
@@ -55,10 +55,10 @@ class Settings(CliTest):
 
     def test_set_refuses_what_it_does_not_know(self):
         for assignment, word in (("gradient.heigth_max_m=0.4", "did you mean 'height_max_m'?"),
-                                 ("gradient.height_max_m=50", "0.05 to 5"),
+                                 ("gradient.height_max_m=50", "need 0.05 to "),
                                  ("gradient.height_max_m", "SECTION.KEY=VALUE"),
                                  ("height_max_m=0.4", "SECTION.KEY=VALUE"), ("gradeint.height_max_m=0.4", "gradient"),
-                                 ("gradient.height_max_m=", "0.05 to 5"), ("=", "SECTION.KEY=VALUE")):
+                                 ("gradient.height_max_m=", "need 0.05 to "), ("=", "SECTION.KEY=VALUE")):
             with self.subTest(assignment=assignment):
                 self.check_refused(run("detect", self.scan_file, "--set", assignment), 2, word)
 
