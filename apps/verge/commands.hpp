@@ -17,7 +17,9 @@ using Action = std::function<ExitCode()>;
 
 // Each adds its verb to the program and sets the action when that verb is chosen.
 void add_detect(CLI::App& program, Action& action);
+void add_evaluate(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_methods(CLI::App& program, Action& action);
+void add_simulate(CLI::App& program, Action& action);
 
 }  // namespace verge::app

@@ -23,9 +23,7 @@ namespace {
 
 /// Every verb; a new one is one more here and in commands.hpp.
 constexpr std::array kVerbs{
-    add_detect,
-    add_info,
-    add_methods,
+    add_detect, add_evaluate, add_info, add_methods, add_simulate,
 };
 
 constexpr const char* kExamples =
@@ -33,6 +31,8 @@ constexpr const char* kExamples =
     "  verge info drive/velodyne                        # what is in these files?\n"
     "  verge detect drive/velodyne -o boundaries.jsonl  # where are the road's edges?\n"
     "  verge methods gradient                           # which settings are there?\n"
+    "  verge simulate made-up                           # a drive whose boundaries are known\n"
+    "  verge evaluate boundaries.jsonl --truth made-up/truth.jsonl  # how far from the truth?\n"
     "  verge detect --help                              # options of a verb\n";
 
 ExitCode refuse(const std::string& what) {

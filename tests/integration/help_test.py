@@ -7,7 +7,7 @@ import unittest
 
 from verge_cli import CliTest, run
 
-VERBS = ("detect", "info", "methods")
+VERBS = ("detect", "evaluate", "info", "methods", "simulate")
 
 
 class Help(CliTest):
