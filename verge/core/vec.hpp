@@ -32,7 +32,7 @@ struct Vec3 {
 [[nodiscard]] constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 /// z of the cross product: positive where b lies to the left of a.
 [[nodiscard]] constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-[[nodiscard]] inline double norm(Vec2 a) { return std::hypot(a.x, a.y); }
+[[nodiscard]] inline double norm(Vec2 a) { return std::sqrt(dot(a, a)); }
 [[nodiscard]] inline double distance(Vec2 a, Vec2 b) { return norm(a - b); }
 
 [[nodiscard]] constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

@@ -34,10 +34,6 @@ Mount mount_of(const RoadPlane& plane) {
 
 LevelFrame::LevelFrame(const Mount& mount) : rows_(rotation_rows(mount)), height_m_(mount.height_m) {}
 
-Vec3 LevelFrame::to_level(Vec3 p_sensor) const {
-  return {dot(rows_[0], p_sensor), dot(rows_[1], p_sensor), dot(rows_[2], p_sensor) + height_m_};
-}
-
 Vec3 LevelFrame::to_sensor(Vec3 p_level) const {
   return p_level.x * rows_[0] + p_level.y * rows_[1] + (p_level.z - height_m_) * rows_[2];
 }

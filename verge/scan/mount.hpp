@@ -32,7 +32,9 @@ class LevelFrame {
   explicit LevelFrame(const Mount& mount);
 
   /// p in the level frame.
-  [[nodiscard]] Vec3 to_level(Vec3 p_sensor) const;
+  [[nodiscard]] Vec3 to_level(Vec3 p_sensor) const {
+    return {dot(rows_[0], p_sensor), dot(rows_[1], p_sensor), dot(rows_[2], p_sensor) + height_m_};
+  }
   /// Back: the inverse of to_level.
   [[nodiscard]] Vec3 to_sensor(Vec3 p_level) const;
 

@@ -71,20 +71,37 @@ std::vector<Surface> lowest_surface(const Scan& scan, const Raster& raster) {
   return surface;
 }
 
+/// A return and its cell.
+struct Placed {
+  Vec3 point;
+  std::size_t cell;
+};
+
+/// The returns that may count for the plane once it has moved by a few centimetres: looked up once for all
+/// iterations.
+std::vector<Placed> returns_near(const Scan& scan, const Raster& raster, const RoadPlane& plane,
+                                 double near) {
+  std::vector<Placed> placed;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const auto cell = raster.cell(static_cast<double>(scan.x[i]), static_cast<double>(scan.y[i]));
+    if (cell && std::abs(plane.height_above(scan.point(i))) < near) placed.push_back({scan.point(i), *cell});
+  }
+  return placed;
+}
+
 /// The mean of each cell's returns near the plane: unlike the lowest one it is not drawn down by noise.
 template <class Weight>
-std::vector<Surface> mean_surface(const Scan& scan, const Raster& raster, const RoadPlane& plane, double near,
-                                  const Weight& weight) {
+std::vector<Surface> mean_surface(const std::vector<Placed>& placed, std::size_t cells,
+                                  const RoadPlane& plane, double near, const Weight& weight) {
   struct Sum {
     Vec3 sum;
     double count = 0.0;
   };
-  std::vector<Sum> sums(raster.size());
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    const auto cell = raster.cell(static_cast<double>(scan.x[i]), static_cast<double>(scan.y[i]));
-    if (!cell || !(std::abs(plane.height_above(scan.point(i))) < near)) continue;
-    sums[*cell].sum = sums[*cell].sum + scan.point(i);
-    sums[*cell].count += 1.0;
+  std::vector<Sum> sums(cells);
+  for (const Placed& p : placed) {
+    if (!(std::abs(plane.height_above(p.point)) < near)) continue;
+    sums[p.cell].sum = sums[p.cell].sum + p.point;
+    sums[p.cell].count += 1.0;
   }
   std::vector<Surface> surface;
   for (const Sum& s : sums) {
@@ -259,9 +276,10 @@ RoadPlane refine_along_road(const Scan& scan, RoadPlane plane, double heading_ra
     return 1.0 / ((1.0 + lateral * lateral) * (1.0 + lateral * lateral));
   };
   const double width = 1.5 * config.inlier_m;
+  const std::vector<Placed> placed = returns_near(scan, raster, plane, 5.0 * width);
   for (const double factor : {3.0, 2.0, 1.5, 1.0, 1.0, 1.0}) {
-    plane =
-        reweighted(mean_surface(scan, raster, plane, factor * width, weight), plane, hint, factor * width);
+    const auto surface = mean_surface(placed, raster.size(), plane, factor * width, weight);
+    plane = reweighted(surface, plane, hint, factor * width);
   }
   return plane;
 }
