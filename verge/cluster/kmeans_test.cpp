@@ -192,6 +192,12 @@ TEST(FarthestFirst, GivesNoMoreCentresThanDistinctPoints) {
   EXPECT_TRUE(farthest_first(std::vector<Vec2>{{1.0, 1.0}}, 0).empty());
 }
 
+TEST(FarthestFirst, OfEquallyFarPointsTakesTheLowest) {
+  const std::vector<Vec2> centres{{0.0, 0.0}, {-1.0, 0.0}, {1.0, 0.0}};
+  EXPECT_EQ(farthest_first(std::vector<Vec2>{{1.0, 0.0}, {0.0, 0.0}, {-1.0, 0.0}}, 3), centres);
+  EXPECT_EQ(farthest_first(std::vector<Vec2>{{-1.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}}, 3), centres);
+}
+
 TEST(FarthestFirst, DoesNotDependOnTheOrderOfThePoints) {
   rc::check([](const Raw& raw) {
     auto points = points_of(raw);

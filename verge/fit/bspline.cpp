@@ -64,12 +64,13 @@ Table tabulate(const BSpline& curve, int pieces) {
   return table;
 }
 
-/// The parameter at arc length s, by linear interpolation between the table's entries.
-double parameter_at(const Table& table, double s) {
-  const auto above = std::ranges::lower_bound(table.s, s) - table.s.begin();
-  const auto k = std::clamp(static_cast<std::size_t>(above), std::size_t{1}, table.s.size() - 1);
-  const double share = ratio(s - table.s[k - 1], table.s[k] - table.s[k - 1]);
-  return table.u[k - 1] + std::clamp(share, 0.0, 1.0) * (table.u[k] - table.u[k - 1]);
+/// The value of `to` where `from`, ascending, has the value x: linear between the entries, constant beyond
+/// them.
+double interpolated(std::span<const double> from, std::span<const double> to, double x) {
+  const auto above = static_cast<std::size_t>(std::ranges::lower_bound(from, x) - from.begin());
+  const std::size_t k = std::clamp(above, std::size_t{1}, from.size() - 1);
+  const double share = std::clamp(ratio(x - from[k - 1], from[k] - from[k - 1]), 0.0, 1.0);
+  return to[k - 1] + share * (to[k] - to[k - 1]);
 }
 
 /// The parameter of the polyline's point nearest to p. By segments and not by vertices: a stretch of the
@@ -165,9 +166,16 @@ std::vector<Vec2> sample(const BSpline& curve, double step_m) {
   const double pieces = std::max(1.0, std::ceil(total / step_m - kSlack));
   std::vector<Vec2> out{table.points.front()};
   for (std::size_t k = 1; k < static_cast<std::size_t>(pieces); ++k)
-    out.push_back(evaluate(curve, parameter_at(table, total * (static_cast<double>(k) / pieces))));
+    out.push_back(evaluate(curve, interpolated(table.s, table.u, total * (static_cast<double>(k) / pieces))));
   out.push_back(table.points.back());
   return out;
+}
+
+std::vector<double> arc_lengths(const BSpline& curve, std::span<const double> parameters) {
+  const Table table = tabulate(curve, kPiecesForLength);
+  std::vector<double> s(parameters.size());
+  std::ranges::transform(parameters, s.begin(), [&](double u) { return interpolated(table.u, table.s, u); });
+  return s;
 }
 
 double length(const BSpline& curve) { return tabulate(curve, kPiecesForLength).s.back(); }

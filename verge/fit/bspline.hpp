@@ -52,6 +52,9 @@ struct BasisRow {
 /// them; a curve without length gives one point.
 [[nodiscard]] std::vector<Vec2> sample(const BSpline& curve, double step_m);
 
+/// Arc length of the curve from its start to each of the parameters, metres (by 32 chords a span).
+[[nodiscard]] std::vector<double> arc_lengths(const BSpline& curve, std::span<const double> parameters);
+
 /// The curve's length, metres.
 [[nodiscard]] double length(const BSpline& curve);
 

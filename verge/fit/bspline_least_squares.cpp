@@ -6,10 +6,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "verge/fit/banded.hpp"
-#include "verge/fit/path.hpp"
+#include "verge/fit/line.hpp"
 
 namespace verge::fit {
 namespace {
@@ -116,6 +117,43 @@ std::vector<double> orthogonal_residuals(const BSpline& curve, std::span<const V
   return out;
 }
 
+/// The parameter of each point, and how long the course is that they measure.
+struct Stations {
+  std::vector<double> u;
+  double length_m;
+};
+
+/// Stations s, metres, made parameters: 0 and 1 are the outermost points that weigh anything.
+std::optional<Stations> parameters_of(std::vector<double> s, std::span<const double> weights) {
+  double from = std::numeric_limits<double>::infinity();
+  double to = -from;
+  for (std::size_t k = 0; k < s.size(); ++k) {
+    if (!(weight_at(weights, k) > 0.0)) continue;
+    from = std::min(from, s[k]);
+    to = std::max(to, s[k]);
+  }
+  if (!(to > from)) return std::nullopt;
+  for (double& value : s) value = std::clamp((value - from) / (to - from), 0.0, 1.0);
+  return Stations{std::move(s), to - from};
+}
+
+/// By the points' principal axis: points that lie aside of the curve do not disturb it, as they would the
+/// length of a path through the points.
+std::optional<Stations> along_axis(std::span<const Vec2> points, std::span<const double> weights) {
+  const auto axis = fit_line(points, weights);
+  if (!axis) return std::nullopt;
+  const double sense = station(axis->line, points.front()) <= station(axis->line, points.back()) ? 1.0 : -1.0;
+  std::vector<double> s(points.size());
+  std::ranges::transform(points, s.begin(), [&](Vec2 p) { return sense * station(axis->line, p); });
+  return parameters_of(std::move(s), weights);
+}
+
+/// By the arc length of each point's foot on a curve.
+std::optional<Stations> along_curve(const BSpline& curve, std::span<const Vec2> points,
+                                    std::span<const double> weights) {
+  return parameters_of(arc_lengths(curve, nearest_parameters(curve, points)), weights);
+}
+
 /// One span every `span_m` of length, at least one, and no more control points than points.
 std::size_t control_point_count(double length_m, std::size_t degree, std::size_t points, double span_m) {
   const double most = static_cast<double>(points - degree);
@@ -123,59 +161,50 @@ std::size_t control_point_count(double length_m, std::size_t degree, std::size_t
   return static_cast<std::size_t>(spans) + degree;
 }
 
-std::vector<double> knots_for(std::span<const double> u, std::size_t control_points, std::size_t degree,
+std::vector<double> knots_for(std::vector<double> u, std::size_t control_points, std::size_t degree,
                               KnotPlacement placement) {
-  return placement == KnotPlacement::kUniform ? uniform_knots(control_points, degree)
-                                              : least_squares_knots(u, control_points, degree);
+  if (placement == KnotPlacement::kUniform) return uniform_knots(control_points, degree);
+  std::ranges::sort(u);
+  return least_squares_knots(u, control_points, degree);
 }
-
-/// What stays the same through all rounds of one fit.
-struct Problem {
-  std::span<const Vec2> points;
-  std::span<const double> weights;
-  std::size_t degree;
-  std::vector<double> knots;  ///< Of the first parameters: the later ones may be out of order.
-  const SplineFitOptions& options;
-};
 
 struct WeightedCurve {
   BSpline curve;
   std::vector<double> weights;
 };
 
-std::optional<WeightedCurve> solve_with(const Problem& problem, const Design& at,
-                                        std::vector<double> weights) {
-  auto curve = solve_design(at, problem.points, weights, problem.options.penalty);
+std::optional<WeightedCurve> solve_with(const Design& at, std::span<const Vec2> points,
+                                        std::vector<double> weights, double penalty) {
+  auto curve = solve_design(at, points, weights, penalty);
   if (!curve) return std::nullopt;
   return WeightedCurve{std::move(*curve), std::move(weights)};
 }
 
-/// The robust iterations from `iteration` on, at fixed parameters.
-WeightedCurve reweighted(const Problem& problem, const Design& at, WeightedCurve best, int iteration,
-                         const RobustOptions& robust) {
-  for (int i = iteration; i < robust.start_iterations + robust.iterations; ++i) {
-    const auto residuals = normal_residuals(best.curve, at, problem.points);
-    auto next = solve_with(problem, at, robust_weights(i, residuals, problem.weights, robust));
+/// What stays the same through all rounds of one fit.
+struct Problem {
+  std::span<const Vec2> points;
+  std::span<const double> weights;
+  const SplineFitOptions& options;
+};
+
+/// The curve at fixed parameters, starting from the weights `start`; if robust, with the iterations from
+/// `iteration` on.
+std::optional<WeightedCurve> solve_round(const Problem& problem, const Stations& stations,
+                                         std::vector<double> start, int iteration) {
+  const auto& [points, weights, options] = problem;
+  const std::size_t degree = std::min(options.degree, points.size() - 1);
+  const std::size_t count = control_point_count(stations.length_m, degree, points.size(), options.span_m);
+  const Design at = design(knots_for(stations.u, count, degree, options.knots), degree, stations.u);
+  auto best = solve_with(at, points, std::move(start), options.penalty);
+  if (!best || !options.robust) return best;
+  for (int i = iteration; i < options.robust->start_iterations + options.robust->iterations; ++i) {
+    const auto residuals = normal_residuals(best->curve, at, points);
+    auto next =
+        solve_with(at, points, robust_weights(i, residuals, weights, *options.robust), options.penalty);
     if (!next) break;  // too few points still weigh something: the curve before stands
-    best = std::move(*next);
+    best = std::move(next);
   }
   return best;
-}
-
-/// Round by round: solve, reweight, and move each point's parameter to its foot on the curve.
-std::optional<WeightedCurve> solve_in_rounds(const Problem& problem, std::vector<double> u,
-                                             std::vector<double> weights) {
-  const auto& robust = problem.options.robust;
-  for (int round = 0;; ++round) {
-    const Design at = design(problem.knots, problem.degree, u);
-    auto fit = solve_with(problem, at, std::move(weights));
-    if (!fit) return std::nullopt;
-    if (robust)
-      fit = reweighted(problem, at, std::move(*fit), round == 0 ? 0 : robust->start_iterations, *robust);
-    if (round >= problem.options.projections) return fit;
-    u = nearest_parameters(fit->curve, problem.points);
-    weights = std::move(fit->weights);
-  }
 }
 
 }  // namespace
@@ -190,15 +219,15 @@ std::optional<BSpline> least_squares_spline(std::span<const Vec2> points, std::s
 std::optional<SplineFit> fit_spline(std::span<const Vec2> points, const SplineFitOptions& options,
                                     std::span<const double> weights) {
   assert(options.degree >= 1 && options.degree <= kMaxDegree && options.span_m > 0.0);
-  const std::vector<Vec2> smooth = moving_mean(points, options.smoothing_m);
-  auto u = parameters(smooth, Parameterization::kChordLength);
-  if (!u) return std::nullopt;
-  const std::size_t degree = std::min(options.degree, points.size() - 1);
-  const std::size_t count =
-      control_point_count(arc_lengths(smooth).back(), degree, points.size(), options.span_m);
-  const Problem problem{points, weights, degree, knots_for(*u, count, degree, options.knots), options};
-  auto fit = solve_in_rounds(problem, std::move(*u), weights_or_ones(weights, points.size()));
+  const auto axis = along_axis(points, weights);
+  if (!axis) return std::nullopt;
+  const Problem problem{points, weights, options};
+  auto fit = solve_round(problem, *axis, weights_or_ones(weights, points.size()), 0);
   if (!fit) return std::nullopt;
+  const int after_start = options.robust ? options.robust->start_iterations : 0;
+  if (const auto course = along_curve(fit->curve, points, fit->weights)) {
+    if (auto again = solve_round(problem, *course, fit->weights, after_start)) fit = std::move(again);
+  }
   auto residuals = summarise(orthogonal_residuals(fit->curve, points), weights);
   return SplineFit{std::move(fit->curve), std::move(residuals), std::move(fit->weights)};
 }

@@ -27,11 +27,9 @@ namespace verge::fit {
                                                           double penalty);
 
 struct SplineFitOptions {
-  std::size_t degree = 3;    ///< Lowered where the points are too few.
-  double span_m = 3.0;       ///< Length of a knot span along the curve: shorter follows tighter bends.
-  double penalty = 0.1;      ///< Weight of the second differences: more is straighter.
-  double smoothing_m = 1.0;  ///< Moving mean before the first parameters are measured off the points.
-  int projections = 2;       ///< Rounds in which each point then gets the parameter of its foot.
+  std::size_t degree = 3;  ///< Lowered where the points are too few.
+  double span_m = 3.0;     ///< Length of a knot span along the curve: shorter follows tighter bends.
+  double penalty = 0.1;    ///< Weight of the second differences: more is straighter.
   KnotPlacement knots = KnotPlacement::kUniform;
   std::optional<RobustOptions> robust = std::nullopt;  ///< None: plain least squares.
 };
@@ -43,12 +41,14 @@ struct SplineFit {
 };
 
 /// Cubic B-spline with few control points through noisy points, by penalised least squares (ours; the paper
-/// interpolates its key points, which fits the noise). The points must be in order along the curve; equal
-/// neighbours are harmless. Steps: chord-length parameters of the smoothed path; knots, one span every
-/// `span_m`; least_squares_spline, with the weights renewed from the normal residuals if `robust`; then each
-/// point takes the parameter of its foot on the curve and the fit is made again, `projections` times. None
-/// for fewer than 2 points, for points that all coincide or are not finite, or where least_squares_spline
-/// gives none.
+/// interpolates its key points, which fits the noise). First the points' stations along their principal axis
+/// are their parameters, with a knot span every `span_m`, and least_squares_spline is solved, again and again
+/// with the weights renewed from the normal residuals if `robust`. Then once more with the arc lengths of the
+/// points' feet on that curve, so that the knots are evenly spread along it however it bends. The points need
+/// no order; the curve runs from the end of the first point to that of the last, between the outermost points
+/// that weigh anything. It must not turn back on the principal axis: no part of it may run more than about 80
+/// degrees off the axis. None for fewer than 2 distinct points of positive weight, for coordinates that are
+/// not finite, or where least_squares_spline gives none.
 [[nodiscard]] std::optional<SplineFit> fit_spline(std::span<const Vec2> points,
                                                   const SplineFitOptions& options = {},
                                                   std::span<const double> weights = {});

@@ -161,6 +161,13 @@ TEST(BSpline, ClampedRunsFromItsFirstToItsLastControlPoint) {
   EXPECT_EQ(evaluate(curve, 1e9), curve.control_points.back());
 }
 
+TEST(BSpline, WhoseLastSpansAreEmptyStillHasItsEndPoint) {
+  const BSpline curve{.degree = 2,
+                      .knots = {0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0, 1.0},
+                      .control_points = {{0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}, {3.0, 5.0}, {9.0, 9.0}}};
+  EXPECT_EQ(evaluate(curve, 1.0), (Vec2{3.0, 5.0}));  // the control point after it has no span to act on
+}
+
 TEST(BSpline, AgreesWithDeBoorsAlgorithm) {
   rc::check([](const Raw& raw, std::uint16_t where) {
     const auto degree = *rc::gen::inRange<std::size_t>(1, kMaxDegree + 1);
@@ -217,6 +224,14 @@ TEST(BSpline, DerivativeIsTheLimitOfDifferences) {
 
 TEST(BSpline, LengthOfAQuarterCircleIsHalfPiRadii) {
   EXPECT_NEAR(length(quarter_circle()), 5.0 * std::numbers::pi, 5e-3);
+}
+
+TEST(BSpline, ArcLengthsGrowFromZeroToTheLength) {
+  const BSpline curve = quarter_circle();
+  const auto s = arc_lengths(curve, std::vector<double>{0.0, 0.5, 1.0});
+  EXPECT_EQ(s[0], 0.0);
+  EXPECT_NEAR(s[1], 2.5 * std::numbers::pi, 3e-3);
+  EXPECT_DOUBLE_EQ(s[2], length(curve));
 }
 
 TEST(BSpline, SamplesLieOnTheCurveAndAreEvenlySpaced) {

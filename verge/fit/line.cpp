@@ -54,13 +54,11 @@ bool any_two(std::span<const Vec2> points, std::span<const double> weights, Diff
   return false;
 }
 
-/// d or -d, of unit length, with x > 0, or (0, 1).
-Vec2 forward_unit(Vec2 d) {
-  const bool flip = d.x < 0.0 || (d.x == 0.0 && d.y < 0.0);
-  return ((flip ? -1.0 : 1.0) / norm(d)) * d;
-}
+/// d or -d, of unit length, with x >= 0.
+Vec2 forward_unit(Vec2 d) { return ((d.x < 0.0 ? -1.0 : 1.0) / norm(d)) * d; }
 
-/// The eigenvector of the greater eigenvalue of [xx xy; xy yy], from the better conditioned of its two rows.
+/// The eigenvector of the greater eigenvalue of [xx xy; xy yy], from the better conditioned of its two rows:
+/// its x is positive, or its x is 0 and its y positive.
 Vec2 principal_axis(const Moments& m) {
   const double difference = m.xx - m.yy;
   const double spread = std::hypot(difference, 2.0 * m.xy);
