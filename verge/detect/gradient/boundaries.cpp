@@ -93,7 +93,7 @@ Fitted fitted(const Strand& strand, Curve curve, const GradientConfig& config) {
     b.height_m.push_back(here.height);
     b.state.push_back(here.state);
   }
-  return {std::move(b), std::move(curve.key_points)};
+  return {std::move(b), std::move(curve)};
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ std::optional<Fitted> fit_side_as_printed(const std::vector<Vec3>& points, bool 
   b.kind = BoundaryKind::kCurb;
   b.confidence = 0.5;  // the paper has no measure of it
   for (const Vec2 p : curve->points) b.points.push_back({p.x, p.y, height});
-  return Fitted{std::move(b), std::move(curve->key_points)};
+  return Fitted{std::move(b), *std::move(curve)};
 }
 
 }  // namespace verge::detect::gradient

@@ -11,10 +11,10 @@
 
 namespace verge::detect::gradient {
 
-/// A boundary still in the level frame, and the key points of its curve.
+/// A boundary still in the level frame, and the curve that it was made from.
 struct Fitted {
   Boundary boundary;
-  std::vector<Vec2> key_points;
+  Curve curve;
 };
 
 /// III for each strand. Heights, rises and states along the curve are those of the strand's points at the

@@ -40,7 +40,10 @@ std::optional<Curve> through(const std::vector<Vec2>& key_points, fit::Parameter
   options.parameterization = parameters;
   const auto spline = fit::interpolate(key_points, options);
   if (!spline) return std::nullopt;
-  return Curve{Model::kSpline, fit::sample(*spline, step), key_points};
+  Curve curve{Model::kSpline, fit::sample(*spline, step), {}, key_points, {},
+              spline->knots,  spline->control_points};
+  curve.u = fit::parameters(key_points, parameters).value_or(std::vector<double>{});
+  return curve;
 }
 
 std::vector<Vec2> without_duplicates(std::span<const Vec2> points) {
@@ -62,8 +65,8 @@ std::vector<std::size_t> with_gaps_filled(const std::vector<std::size_t>& key,
   return filled;
 }
 
-/// Key points of the smoothed boundary: III-2 on samples of a least-squares spline.
-std::vector<Vec2> smooth_key_points(const std::vector<Vec2>& points, const GradientConfig& config) {
+/// Samples of the least-squares spline that smooths a boundary; the points themselves where there is none.
+std::vector<Vec2> smoothed(const std::vector<Vec2>& points, const GradientConfig& config) {
   constexpr double kSample = 0.25;  // metres
   fit::SplineFitOptions options;
   options.span_m = config.spline_span_m;
@@ -71,8 +74,11 @@ std::vector<Vec2> smooth_key_points(const std::vector<Vec2>& points, const Gradi
   options.robust = fit::RobustOptions{};
   options.robust->scale_floor_m = kScaleFloor;
   const auto smooth = fit::fit_spline(points, options);
-  if (!smooth) return points;
-  const std::vector<Vec2> samples = fit::sample(smooth->curve, kSample);
+  return smooth ? fit::sample(smooth->curve, kSample) : points;
+}
+
+/// III-2 on a smoothed boundary.
+std::vector<Vec2> key_points_of(const std::vector<Vec2>& samples, const GradientConfig& config) {
   const std::vector<std::size_t> key = fit::smoothed_key_points(samples, config.key_window_m);
   return without_duplicates(fit::gather(samples, with_gaps_filled(key, samples, config.spline_span_m)));
 }
@@ -86,10 +92,12 @@ std::optional<Curve> fit_curve(std::span<const Vec2> points, const GradientConfi
   if (!line) return std::nullopt;
   if (line->residuals.p95_m <= config.line_residual_m)
     return straight(line->line, points, config.sample_step_m);
-  const std::vector<Vec2> key_points = smooth_key_points(without_duplicates(points), config);
-  if (auto curve = through(key_points, fit::Parameterization::kCentripetal, config.sample_step_m))
-    return curve;
-  return straight(line->line, points, config.sample_step_m);
+  const std::vector<Vec2> samples = smoothed(without_duplicates(points), config);
+  auto curve =
+      through(key_points_of(samples, config), fit::Parameterization::kCentripetal, config.sample_step_m);
+  if (!curve) return straight(line->line, points, config.sample_step_m);
+  curve->kappa = fit::smoothed_curvature(samples, config.key_window_m);
+  return curve;
 }
 
 std::optional<Curve> fit_curve_as_printed(std::span<const Vec2> points, const GradientConfig& config) {
@@ -99,8 +107,11 @@ std::optional<Curve> fit_curve_as_printed(std::span<const Vec2> points, const Gr
   if (!line) return std::nullopt;
   if (line->residuals.p95_m <= config.line_residual_m)
     return straight(line->line, ordered, config.sample_step_m);
-  const std::vector<Vec2> key_points = fit::gather(ordered, fit::key_points(fit::curvature(ordered)));
-  return through(key_points, fit::Parameterization::kChordLength, config.sample_step_m);
+  const std::vector<double> kappa = fit::curvature(ordered);
+  const std::vector<Vec2> key_points = fit::gather(ordered, fit::key_points(kappa));
+  auto curve = through(key_points, fit::Parameterization::kChordLength, config.sample_step_m);
+  if (curve) curve->kappa = kappa;
+  return curve;
 }
 
 }  // namespace verge::detect::gradient

@@ -17,7 +17,13 @@ struct Curve {
   Model model = Model::kLine;
   std::vector<Vec2>
       points;  ///< Samples along it, sample_step_m apart, in the order of the points it was fitted to.
-  std::vector<Vec2> key_points;  ///< Q_k of a B-spline.
+
+  // Of a B-spline, under their names in the paper; empty for a line.
+  std::vector<double> kappa;     ///< Curvature 1 / rho_i of the points that key points were chosen from, 1/m.
+  std::vector<Vec2> key_points;  ///< Q_k
+  std::vector<double> u;         ///< Parameters of the key points.
+  std::vector<double> U;         ///< Knot vector.
+  std::vector<Vec2> control_points;  ///< P_i
 };
 
 /// III, fixed reading. A straight line by robust orthogonal least squares where the residuals' 95th

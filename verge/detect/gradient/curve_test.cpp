@@ -84,6 +84,21 @@ TEST(FitCurve, TheSplinePassesThroughItsKeyPoints) {
   for (const Vec2 q : curve->key_points) EXPECT_LT(distance_to(curve->points, q), 0.01);
 }
 
+TEST(FitCurve, KeepsTheIntermediatesOfItsSpline) {
+  const auto curve = fit_curve(bend_points(0.02), {});
+  ASSERT_TRUE(curve.has_value());
+  const std::size_t n = curve->key_points.size();
+  EXPECT_EQ(curve->control_points.size(), n);
+  EXPECT_EQ(curve->U.size(), n + 4);
+  ASSERT_EQ(curve->u.size(), n);
+  EXPECT_EQ(curve->u.front(), 0.0);
+  EXPECT_EQ(curve->u.back(), 1.0);
+  // Eq. (5): u_{j+p} = (1/p) sum of p parameters, p = 3
+  EXPECT_NEAR(curve->U[4], (curve->u[1] + curve->u[2] + curve->u[3]) / 3.0, 1e-12);
+  const double sharpest = *std::max_element(curve->kappa.begin(), curve->kappa.end());
+  EXPECT_NEAR(sharpest, 1.0 / kRadius, 0.03);
+}
+
 TEST(FitCurve, ReversingThePointsReversesTheCurve) {
   auto points = bend_points(0.02);
   const auto forth = fit_curve(points, {});

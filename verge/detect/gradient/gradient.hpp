@@ -157,7 +157,8 @@ class Gradient final : public Detector {
 
   /// Boundaries in the sensor's frame, rear end first. Uses scan.mount, or estimates it. Trace layers: points
   /// "low", "gradient points" (group = quadrant a..d as 0..3), "candidates" (likewise), "clusters" (group =
-  /// cluster), "key points"; lines "fit"; values "K".
+  /// boundary), "key points" (likewise); lines "fit"; values "K" (a number for each scan line and region)
+  /// and, for each B-spline, "P" (control points, x and y by turns, level frame), "kappa", "u" and "U".
   [[nodiscard]] Scene process(const Scan& scan, Trace* trace = nullptr) override;
   [[nodiscard]] Order order() const override { return Order::kIndependent; }
 

@@ -52,13 +52,24 @@ void Recorder::fitted(const std::vector<Fitted>& fitted) {
   if (trace_ == nullptr) return;
   Trace::Points& keys = points_named("key points");
   for (std::size_t k = 0; k < fitted.size(); ++k) {
-    const std::vector<Vec3>& line = fitted[k].boundary.points;
     Trace::Line fit{"fit", {}};
-    for (const Vec3 p : line) fit.points.push_back(frame_.to_sensor(p));
+    for (const Vec3 p : fitted[k].boundary.points) fit.points.push_back(frame_.to_sensor(p));
     trace_->lines.push_back(std::move(fit));
-    const double z = line.empty() ? 0.0 : line.front().z;
-    for (const Vec2 q : fitted[k].key_points) add(keys, {q.x, q.y, z}, static_cast<int>(k));
+    const double z = fitted[k].boundary.points.empty() ? 0.0 : fitted[k].boundary.points.front().z;
+    for (const Vec2 q : fitted[k].curve.key_points) add(keys, {q.x, q.y, z}, static_cast<int>(k));
   }
+  for (const Fitted& f : fitted) spline(f);
+}
+
+void Recorder::spline(const Fitted& fitted) {
+  const Curve& curve = fitted.curve;
+  if (curve.model != Model::kSpline) return;
+  Trace::Values control{"P", {}};  // x and y by turns, level frame
+  for (const Vec2 p : curve.control_points) control.values.insert(control.values.end(), {p.x, p.y});
+  trace_->values.push_back(std::move(control));
+  trace_->values.push_back({"kappa", curve.kappa});
+  trace_->values.push_back({"u", curve.u});
+  trace_->values.push_back({"U", curve.U});
 }
 
 }  // namespace verge::detect::gradient

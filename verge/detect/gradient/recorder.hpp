@@ -28,6 +28,7 @@ class Recorder {
  private:
   [[nodiscard]] Trace::Points& points_named(const char* name);
   void add(Trace::Points& layer, Vec3 p_level, int group);
+  void spline(const Fitted& fitted);
 
   Trace* trace_;
   const LevelFrame& frame_;
