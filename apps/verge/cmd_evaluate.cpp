@@ -73,6 +73,8 @@ void add_evaluate(CLI::App& program, Action& action) {
       ->type_name("M")
       ->capture_default_str()
       ->check(finite_range(0.001, 100.0));
+  verb->add_flag("--any-side", request->config.any_side,
+                 "compare left with right as well: the place counts, not the name of the side");
   verb->add_flag("--json", request->json, "one JSON object with every scan instead of a table");
   verb->footer(std::string(kExamples) + "\n" + exit_code_help());
   verb->callback([request, &action] { action = [request] { return evaluate(*request); }; });

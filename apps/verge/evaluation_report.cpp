@@ -89,17 +89,19 @@ std::string evaluation_table(const eval::Comparison& comparison, const eval::Bou
   std::string table = fmt::format(
       "Boundaries within {:g} m of the sensor against the truth: distance of each predicted sample (m), and\n"
       "how many of the predicted (right) and of the true samples (covered) lie within {:g} m of the "
-      "other.\n\n"
+      "other{}.\n\n"
       "{:<10}{:>7}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n",
-      config.range_m, config.tolerance_m, "road", "scans", "empty", "samples", "median", "95 %", "greatest",
-      "right %", "covered %");
+      config.range_m, config.tolerance_m, config.any_side ? ", whatever its side" : "'s same side", "road",
+      "scans", "empty", "samples", "median", "95 %", "greatest", "right %", "covered %");
   for (const Group& group : groups_of(comparison, config.tolerance_m)) table += row(group);
   return table;
 }
 
 std::string evaluation_json(const eval::Comparison& comparison, const eval::BoundaryErrorConfig& config) {
-  ordered_json json = {
-      {"range_m", config.range_m}, {"tolerance_m", config.tolerance_m}, {"step_m", config.step_m}};
+  ordered_json json = {{"range_m", config.range_m},
+                       {"tolerance_m", config.tolerance_m},
+                       {"step_m", config.step_m},
+                       {"any_side", config.any_side}};
   for (const Group& group : groups_of(comparison, config.tolerance_m)) {
     json["groups"][group.name] = figures(group.summary);
   }

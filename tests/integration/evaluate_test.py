@@ -52,6 +52,11 @@ class Evaluate(CliTest):
         self.assertEqual(far["groups"]["all"]["share_right"], 1)
         self.assertGreater(far["groups"]["all"]["truth_samples"], near["groups"]["all"]["truth_samples"])
 
+    def test_with_any_side_the_place_counts(self):
+        swapped = scene("a", -4.0, 4.0)
+        self.assertEqual(self.figures(swapped, scene("a"))["groups"]["all"]["share_right"], 0)
+        self.assertEqual(self.figures(swapped, scene("a"), "--any-side")["groups"]["all"]["share_right"], 1)
+
     def test_straight_and_curve_are_told_apart_by_the_truth(self):
         truth = scene("a") + curve("b") + curve("c")
         figures = self.figures(truth, truth)

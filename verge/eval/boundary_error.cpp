@@ -63,30 +63,31 @@ bool goes_with_any(Side side) { return side == Side::kIsland || side == Side::kO
 
 bool same_side(Side a, Side b) { return a == b || goes_with_any(a) || goes_with_any(b); }
 
-// Distance of p from the nearest boundary of its side.
-double distance_to_side(const Scene& scene, const std::vector<Line>& lines, Side side, Vec2 p) {
+// Distance of p from the nearest of the lines.
+double distance_to_any(const std::vector<Line>& lines, Vec2 p) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (same_side(scene.boundaries[i].side, side)) nearest = std::min(nearest, distance_to(lines[i], p));
-  }
+  for (const Line& line : lines) nearest = std::min(nearest, distance_to(line, p));
   return nearest;
 }
 
-std::vector<Line> lines_of(const Scene& scene) {
+// The boundaries that one of that side is compared with.
+std::vector<Line> lines_for(Side side, const Scene& scene, bool any_side) {
   std::vector<Line> lines;
   lines.reserve(scene.boundaries.size());
-  for (const Boundary& boundary : scene.boundaries) lines.push_back(in_plane(boundary));
+  for (const Boundary& boundary : scene.boundaries) {
+    if (any_side || same_side(boundary.side, side)) lines.push_back(in_plane(boundary));
+  }
   return lines;
 }
 
 // Distances of the samples of `from` within the range from the boundaries of `to`.
 std::vector<double> distances(const Scene& from, const Scene& to, const BoundaryErrorConfig& config) {
-  const std::vector<Line> lines = lines_of(to);
   std::vector<double> out;
   for (const Boundary& boundary : from.boundaries) {
+    const std::vector<Line> lines = lines_for(boundary.side, to, config.any_side);
     for (const Line& part : clip(in_plane(boundary), config.range_m)) {
       for (const Vec2 p : resample(part, config.step_m)) {
-        out.push_back(distance_to_side(to, lines, boundary.side, p));
+        out.push_back(distance_to_any(lines, p));
       }
     }
   }

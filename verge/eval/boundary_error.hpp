@@ -20,8 +20,9 @@ namespace verge::eval {
 /// How boundaries are compared.
 struct BoundaryErrorConfig {
   double range_m = 15.0;     ///< Samples farther from the sensor (in the plane) do not count.
-  double tolerance_m = 0.2;  ///< A sample this near to the other side's boundary agrees with it.
+  double tolerance_m = 0.2;  ///< A sample of one this near to a boundary of the other agrees with it.
   double step_m = 0.1;       ///< Along a boundary, from sample to sample.
+  bool any_side = false;     ///< Compare left with right as well: the place counts, the side's name does not.
 };
 
 /// What the road does within the range, as the truth has it.
@@ -39,7 +40,8 @@ namespace verge::eval {
 
 /// One scan's prediction against its truth. Distances are in the plane, in metres, from a sample of one to
 /// the nearest point of the other's boundaries of the same side (left with left, right with right; an island
-/// or an unnamed side goes with any). Infinity where the other has no such boundary.
+/// or an unnamed side goes with any, and with `any_side` each with any). Infinity where the other has no such
+/// boundary.
 struct BoundaryErrors {
   std::string frame;
   RoadShape shape = RoadShape::kUnknown;

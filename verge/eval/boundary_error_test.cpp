@@ -92,6 +92,16 @@ TEST(Compare, LeftIsNotComparedWithRight) {
   EXPECT_EQ(*summarise(std::vector{errors}, 0.2).share_right, 0.0);
 }
 
+TEST(Compare, WithAnySideThePlaceCountsAndNotTheName) {
+  const Scene left = scene_of("a", {along_x(Side::kLeft, 4.0, -5.0, 5.0)});
+  const Scene right = scene_of("a", {along_x(Side::kRight, 4.0, -5.0, 5.0)});
+  BoundaryErrorConfig config = kConfig;
+  config.any_side = true;
+  const BoundaryErrors errors = compare(left, right, config);
+  EXPECT_THAT(errors.to_truth, ::testing::Each(::testing::Lt(1e-12)));
+  EXPECT_THAT(errors.to_prediction, ::testing::Each(::testing::Lt(1e-12)));
+}
+
 TEST(Compare, AnUnnamedSideGoesWithAny) {
   const Scene truth = scene_of("a", {along_x(Side::kOther, 4.0, -5.0, 5.0)});
   const Scene left = scene_of("a", {along_x(Side::kLeft, 4.1, -5.0, 5.0)});
