@@ -91,7 +91,7 @@ std::string evaluation_table(const eval::Comparison& comparison, const eval::Bou
       "how many of the predicted (right) and of the true samples (covered) lie within {:g} m of the "
       "other{}.\n\n"
       "{:<10}{:>7}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n",
-      config.range_m, config.tolerance_m, config.any_side ? ", whatever its side" : "'s same side", "road",
+      config.range_m, config.tolerance_m, config.any_side ? " (of any side)" : " (of the same side)", "road",
       "scans", "empty", "samples", "median", "95 %", "greatest", "right %", "covered %");
   for (const Group& group : groups_of(comparison, config.tolerance_m)) table += row(group);
   return table;

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
+#include <fstream>
+#include <ios>
+#include <iostream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -18,13 +20,6 @@
 namespace verge::app {
 namespace {
 
-struct CloseFile {
-  void operator()(std::FILE* file) const {
-    if (file != stdin) (void)std::fclose(file);
-  }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
 Error error_of(ErrorCode code, const std::filesystem::path& file, std::string what) {
   return {code, file.string(), {}, std::move(what), {}, {}};
 }
@@ -32,7 +27,7 @@ Error error_of(ErrorCode code, const std::filesystem::path& file, std::string wh
 /// Takes a file's bytes in pieces and makes Scenes of its lines.
 class SceneLines {
  public:
-  explicit SceneLines(const std::filesystem::path& file) : file_(file) {}
+  explicit SceneLines(std::filesystem::path file) : file_(std::move(file)) {}
 
   [[nodiscard]] Expected<void> take(std::string_view bytes) {
     while (true) {
@@ -78,31 +73,29 @@ class SceneLines {
   std::vector<Scene> scenes_;
 };
 
-Expected<File> open_file(const std::filesystem::path& file) {
-  if (file == "-") return File(stdin);
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    return Unexpected(error_of(ErrorCode::kCannotOpen, file, "is a folder"));
+Expected<std::vector<Scene>> read_stream(std::istream& in, const std::filesystem::path& file) {
+  SceneLines lines(file);
+  std::array<char, 1U << 16U> buffer{};
+  while (in) {
+    in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    const auto count = static_cast<std::size_t>(in.gcount());
+    if (auto taken = lines.take({buffer.data(), count}); !taken) return Unexpected(std::move(taken).error());
   }
-  File opened(std::fopen(file.c_str(), "rb"));
-  if (!opened) return Unexpected(error_of(ErrorCode::kCannotOpen, file, std::strerror(errno)));
-  return opened;
+  if (in.bad()) return Unexpected(error_of(ErrorCode::kCannotOpen, file, "cannot be read"));
+  return lines.finish();
 }
 
 }  // namespace
 
 Expected<std::vector<Scene>> read_scenes(const std::filesystem::path& file) {
-  const auto opened = open_file(file);
-  if (!opened) return Unexpected(opened.error());
-  SceneLines lines(file);
-  std::array<char, 1U << 16U> buffer{};
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), opened->get())) {
-    if (auto taken = lines.take({buffer.data(), count}); !taken) return Unexpected(std::move(taken).error());
+  if (file == "-") return read_stream(std::cin, file);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    return Unexpected(error_of(ErrorCode::kCannotOpen, file, "is a folder"));
   }
-  if (std::ferror(opened->get()) != 0) {
-    return Unexpected(error_of(ErrorCode::kCannotOpen, file, "cannot be read"));
-  }
-  return lines.finish();
+  std::ifstream opened(file, std::ios::binary);
+  if (!opened) return Unexpected(error_of(ErrorCode::kCannotOpen, file, std::strerror(errno)));
+  return read_stream(opened, file);
 }
 
 }  // namespace verge::app
