@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Speed of the readers on one simulated scan of 64 rings a format, from the page cache. Every benchmark
+// Speed of the readers on one simulated scan of 64 rings, from the page cache. Every benchmark
 // alternates with a plain pread of the same file into memory that is there already: the counter x_pread is
 // the ratio of the two medians. What a reader gives is the Cloud; putting it in rings is measured by
 // scan_bench.
@@ -11,20 +11,20 @@
 #include <utility>
 #include <vector>
 
-#include "tests/faults/bad_inputs.hpp"
-#include "tests/faults/samples.hpp"
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
-#include <stdlib.h>
+#include <fmt/format.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "verge/core/atomic_file.hpp"
 #include "verge/io/format/csv.hpp"
 #include "verge/io/format/kitti.hpp"
 #include "verge/io/format/nuscenes.hpp"
 #include "verge/io/format/pcd.hpp"
-#include "verge/io/format/ply.hpp"
 #include "verge/io/sniff.hpp"
+#include "verge/scan/organise.hpp"
+#include "verge/scan/test_clouds.hpp"
 
 namespace verge::bench {
 namespace {
@@ -63,13 +63,8 @@ bool read_scan(const fs::path& file, Reader reader, io::Buffer& buffer) {
   return decoded.has_value();
 }
 
-void read_beside_pread(benchmark::State& state, const std::string& name, const std::string& bytes,
-                       Reader reader) {
-  std::string pattern = (fs::temp_directory_path() / "verge-bench-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) return state.SkipWithError("no temporary folder");
-  const fs::path file = fs::path(pattern) / name;
-  faults::write(file, bytes);
-  std::vector<char> into(bytes.size());
+void read_beside_pread(benchmark::State& state, const fs::path& file, Reader reader) {
+  std::vector<char> into(fs::file_size(file));
   io::Buffer buffer;
   std::vector<double> ours;
   std::vector<double> plain;
@@ -81,32 +76,59 @@ void read_beside_pread(benchmark::State& state, const std::string& name, const s
     state.SetIterationTime(ours.back());
   }
   state.counters["x_pread"] = median(ours) / median(plain);
-  state.counters["MB_a_second"] = 1e-6 * static_cast<double>(bytes.size()) / median(ours);
-  fs::remove_all(pattern);
+  state.counters["MB_a_second"] = 1e-6 * static_cast<double>(into.size()) / median(ours);
 }
 
-void add_all() {
-  struct Case {
-    const char* name;
-    const char* file;
-    std::string bytes;
-    Reader reader;
-  };
-  // 64 rings of 1,900 points: what an HDL-64E gives in a turn.
-  const std::vector<faults::SamplePoint> points = faults::sample_points(64, 1900);
-  const std::vector<Case> cases{
-      {"kitti", "a.bin", faults::kitti(points), &io::read_kitti},
-      {"nuscenes", "a.pcd.bin", faults::nuscenes(points), &io::read_nuscenes},
-      {"pcd/binary", "a.pcd", faults::pcd_binary(points), &io::read_pcd},
-      {"pcd/compressed", "a.pcd", faults::pcd_compressed(points), &io::read_pcd},
-      {"pcd/ascii", "a.pcd", faults::pcd_ascii(points), &io::read_pcd},
-      {"ply/big_endian", "a.ply", faults::ply_binary(points, true, false), &io::read_ply},
-      {"ply/ascii", "a.ply", faults::ply_ascii(points, false), &io::read_ply},
-      {"csv", "a.csv", faults::csv(points, true), &io::read_csv}};
-  for (const Case& one : cases) {
-    benchmark::RegisterBenchmark(
-        one.name,
-        [one](benchmark::State& state) { read_beside_pread(state, one.file, one.bytes, one.reader); })
+/// One scan in every format, for as long as the object lives.
+class Files {
+ public:
+  Files() : folder_(fs::temp_directory_path() / fmt::format("verge-bench-{}", ::getpid())) {
+    fs::create_directories(folder_);
+    // What an HDL-64E gives in a turn.
+    const Scan scan = organise(testing::simulate(testing::plan(64, -24.8, 2.0, 1900))).scan;
+    std::string pcd = fmt::format(
+        "FIELDS x y z intensity ring\nSIZE 4 4 4 4 2\nTYPE F F F F U\nPOINTS {}\nDATA ascii\n", scan.size());
+    std::string csv = "number,level,distance,x,y,z\n";
+    std::vector<float> kitti;
+    for (std::size_t r = 0; r < scan.ring_count(); ++r) {
+      for (auto [i, end] = scan.ring(r); i < end; ++i) {
+        kitti.insert(kitti.end(), {scan.x[i], scan.y[i], scan.z[i], scan.intensity[i]});
+        pcd += fmt::format("{} {} {} {} {}\n", scan.x[i], scan.y[i], scan.z[i], scan.intensity[i], r);
+        csv += fmt::format("{},{},{:.4f},{:.4f},{:.4f},{:.4f}\n", i, r, scan.range[i], scan.x[i], scan.y[i],
+                           scan.z[i]);
+      }
+    }
+    const auto* bytes = reinterpret_cast<const char*>(kitti.data());
+    good_ = write_file(path("kitti.bin"), {bytes, kitti.size() * sizeof(float)}) &&
+            io::write_nuscenes(path("nuscenes.pcd.bin"), scan) && io::write_pcd(path("binary.pcd"), scan) &&
+            write_file(path("ascii.pcd"), pcd) && write_file(path("table.csv"), csv);
+  }
+  Files(const Files&) = delete;
+  Files& operator=(const Files&) = delete;
+  ~Files() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+
+  [[nodiscard]] bool good() const { return good_; }
+  [[nodiscard]] fs::path path(const char* name) const { return folder_ / name; }
+
+ private:
+  fs::path folder_;
+  bool good_ = false;
+};
+
+void add_all(const Files& files) {
+  const std::vector<std::pair<const char*, Reader>> cases{{"kitti.bin", &io::read_kitti},
+                                                          {"nuscenes.pcd.bin", &io::read_nuscenes},
+                                                          {"binary.pcd", &io::read_pcd},
+                                                          {"ascii.pcd", &io::read_pcd},
+                                                          {"table.csv", &io::read_csv}};
+  for (const auto& [name, reader] : cases) {
+    benchmark::RegisterBenchmark(name,
+                                 [file = files.path(name), reader = reader](benchmark::State& state) {
+                                   read_beside_pread(state, file, reader);
+                                 })
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond);
   }
@@ -118,7 +140,9 @@ void add_all() {
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  verge::bench::add_all();
+  const verge::bench::Files files;
+  if (!files.good()) return 1;
+  verge::bench::add_all(files);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

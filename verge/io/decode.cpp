@@ -44,7 +44,7 @@ bool is_denormal(float value) {
 
 void drop_denormals(Cloud& cloud) {
   for (std::size_t i = 0; i < cloud.x.size(); ++i) {
-    const bool bad = is_denormal(cloud.x[i]) | is_denormal(cloud.y[i]) | is_denormal(cloud.z[i]);
+    const bool bad = is_denormal(cloud.x[i]) || is_denormal(cloud.y[i]) || is_denormal(cloud.z[i]);
     if (bad) cloud.x[i] = std::numeric_limits<float>::quiet_NaN();
   }
 }

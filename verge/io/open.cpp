@@ -24,7 +24,7 @@ InputLimits limits_of(const OpenOptions& options) { return {options.memory_max_b
 /// Files, each with one scan.
 class FileSource final : public Source {
  public:
-  FileSource(const OpenOptions& options, SourceInfo info) : options_(options), info_(std::move(info)) {}
+  FileSource(OpenOptions options, SourceInfo info) : options_(std::move(options)), info_(std::move(info)) {}
 
   [[nodiscard]] Expected<std::optional<Scan>> next() override;
   [[nodiscard]] const SourceInfo& info() const override { return info_; }

@@ -17,7 +17,7 @@
 namespace verge::io {
 namespace {
 
-constexpr std::uint64_t kLook = 128ULL << 10U;
+constexpr std::uint64_t kLook = 64ULL << 10U;
 constexpr std::array<std::string_view, 5> kSuffixes{".pcd.bin", ".bin", ".pcd", ".ply", ".csv"};
 
 std::string lower_name(const std::filesystem::path& path) {

@@ -76,6 +76,15 @@ void copy_as(const Column& column, std::span<To> out) {
   }
 }
 
+template <class To>
+void copy_floats(const Column& column, std::span<To> out) {
+  if (column.type == Scalar::kF32) {
+    copy_as<float>(column, out);
+  } else {
+    copy_as<double>(column, out);
+  }
+}
+
 /// The column's numbers as To: float or double of any type, std::int64_t of integers.
 template <class To>
 std::vector<To> values_of(const Column& column, std::size_t points) {
@@ -107,10 +116,8 @@ std::vector<To> values_of(const Column& column, std::size_t points) {
       copy_as<std::uint64_t>(column, span);
       break;
     case Scalar::kF32:
-      if constexpr (std::is_floating_point_v<To>) copy_as<float>(column, span);
-      break;
     case Scalar::kF64:
-      if constexpr (std::is_floating_point_v<To>) copy_as<double>(column, span);
+      if constexpr (std::is_floating_point_v<To>) copy_floats(column, span);
       break;
   }
   return out;

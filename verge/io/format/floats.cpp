@@ -10,7 +10,7 @@
 namespace verge::io {
 namespace {
 
-constexpr std::size_t kRowsLookedAt = 4096;
+constexpr std::size_t kRowsLookedAt = 1024;
 
 bool is_coordinate(float value) {
   const float size = std::fabs(value);

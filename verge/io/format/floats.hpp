@@ -9,7 +9,7 @@
 
 namespace verge::io {
 
-/// How far rows of float32 look like points of a scan. Looks at no more than the first 4096 rows.
+/// How far rows of float32 look like points of a scan. Looks at no more than the first 1024 rows.
 struct RowCheck {
   std::size_t rows = 0;         ///< Looked at.
   std::size_t coordinates = 0;  ///< x, y, z are metres of a scan (0, or 1e-20 to 1e5 in size).

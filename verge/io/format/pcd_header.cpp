@@ -270,7 +270,7 @@ Expected<void> HeaderParser::check_size() const {
   std::uint64_t values = 0;
   for (const PcdField& field : header_.fields) values += field.count;
   const bool ascii = header_.data == PcdData::kAscii;
-  const std::uint64_t least = ascii ? 2 * values : header_.point_bytes;
+  const std::uint64_t least = std::max<std::uint64_t>(ascii ? 2 * values : header_.point_bytes, 1);
   const std::uint64_t most = (left + (ascii ? 1 : 0)) / least;
   if (header_.data == PcdData::kBinaryCompressed || header_.points <= most) return {};
   return Unexpected(fail(header_.points_at, "POINTS asks for more data than the file holds",

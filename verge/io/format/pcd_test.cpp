@@ -130,7 +130,7 @@ TEST(Pcd, EveryErrorSaysWhere) {
   const std::string head = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n";
   const std::vector<std::pair<std::string, std::string>> cases{
       {head + "POINTS 2\nDATA ascii\n1 2 3\n4 5 x\n", "7:5"},   // no number
-      {head + "POINTS 2\nDATA ascii\n1 2 3\n4 5000\n", "7:7"},     // too short
+      {head + "POINTS 2\nDATA ascii\n1 2 3\n4 5000\n", "7:7"},  // too short
       {head + "POINTS 1\nDATA ascii\n1 2 3 4\n", "6:7"},        // too long
       {head + "POINTS 2\nDATA ascii\n1 2 3\n      \n", "7:1"},  // one row is missing
       {head + "HEIGHT -1\nPOINTS 1\nDATA ascii\n1 2 3\n", "4:8"},

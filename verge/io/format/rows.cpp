@@ -63,11 +63,12 @@ class RowParser {
   }
 
   [[nodiscard]] Expected<void> skip_list(WordReader& words, double length, const RowCell& cell) const {
-    if (!(length >= 0 && length <= static_cast<double>(cell.longest_list))) {
+    const bool fits = length >= 0 && length <= static_cast<double>(cell.longest_list);  // NaN does not
+    if (!fits) {
       return Unexpected(error_at(input_, ErrorCode::kUnusable, words.end(), "list is too long",
                                  fmt::format("{}", length), fmt::format("<= {}", cell.longest_list)));
     }
-    for (double i = 0; i < length; ++i) {
+    for (auto left = static_cast<std::uint64_t>(length); left > 0; --left) {
       if (auto value = next_number(words); !value) return Unexpected(value.error());
     }
     return {};
