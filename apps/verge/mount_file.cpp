@@ -68,7 +68,8 @@ Expected<MountHint> read_mount(const std::filesystem::path& file) {
       return Unexpected({ErrorCode::kUsage, file.string(), entry.key_where, unknown_key(name), {}, {}});
     }
     const auto value = number_of(entry);
-    if (!value || !(*value >= key->min && *value <= key->max)) {
+    const bool fits = value && *value >= key->min && *value <= key->max;  // false for NaN
+    if (!fits) {
       return Unexpected({ErrorCode::kUsage, file.string(), entry.value_where,
                          fmt::format("{} is out of range", key->name), entry.value,
                          fmt::format("{} to {}", key->min, key->max)});

@@ -97,10 +97,11 @@ std::size_t bytes_below(const fs::path& path) {
   return bytes;
 }
 
-/// Somebody who is not the superuser, for as long as the object lives.
+/// Where `wanted`, somebody who is not the superuser, for as long as the object lives.
 class PlainUser {
  public:
-  PlainUser() : is_needed_(::geteuid() == 0), is_there_(!is_needed_ || ::seteuid(65534) == 0) {}
+  explicit PlainUser(bool wanted)
+      : is_needed_(wanted && ::geteuid() == 0), is_there_(!is_needed_ || ::seteuid(65534) == 0) {}
   PlainUser(const PlainUser&) = delete;
   PlainUser& operator=(const PlainUser&) = delete;
   ~PlainUser() {
@@ -138,8 +139,8 @@ void PrintTo(const BadInput& input, std::ostream* out) { *out << input.code << '
 TEST_P(Catalogue, EndsAsTheContractSays) {
   const BadInput& bad = GetParam();
   const fs::path path = bad.make(folder_);
-  const std::optional<PlainUser> user = bad.as_user ? std::optional<PlainUser>(std::in_place) : std::nullopt;
-  if (user && !user->is_there()) GTEST_SKIP() << "cannot become a user without privileges";
+  const PlainUser user(bad.as_user);
+  if (!user.is_there()) GTEST_SKIP() << "cannot become a user without privileges";
   io::OpenOptions options{.timeout_ms = 50};
   if (!bad.format.empty()) options.format = format_named(bad.format);
   if (bad.memory_mib > 0) options.memory_max_bytes = std::uint64_t{bad.memory_mib} << 20U;

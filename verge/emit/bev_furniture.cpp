@@ -141,9 +141,8 @@ double round_length(double length) {
 
 void draw_rings(Canvas& canvas, const BevView& view) {
   const double step = view.pixels_a_metre() * ring_step_m(view);
-  for (double radius = step; radius < 1.5 * view.size(); radius += step) {
-    canvas.circle(view.origin(), radius, {view.px(1.5), kRing, {}});
-  }
+  const int rings = static_cast<int>(1.5 * view.size() / step);
+  for (int i = 1; i <= rings; ++i) canvas.circle(view.origin(), i * step, {view.px(1.5), kRing, {}});
 }
 
 void draw_ring_labels(Canvas& canvas, const BevView& view) {
