@@ -223,7 +223,7 @@ std::size_t HeightScale::shade(double height_m) const {
   return static_cast<std::size_t>(t * static_cast<double>(kShades - 1) + 0.5);
 }
 
-Colour HeightScale::colour(std::size_t shade) const {
+Colour HeightScale::colour(std::size_t shade) {
   return shade >= kShades ? kAboveScale
                           : height_colour(static_cast<double>(shade) / static_cast<double>(kShades - 1));
 }

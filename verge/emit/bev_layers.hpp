@@ -35,7 +35,7 @@ class HeightScale {
   /// The step of the scale, from 0 for the darkest on; kShades above the scale.
   [[nodiscard]] std::size_t shade(double height_m) const;
   /// Grey above the scale: what stands higher is not what a road's edge is about.
-  [[nodiscard]] Colour colour(std::size_t shade) const;
+  [[nodiscard]] static Colour colour(std::size_t shade);
 
  private:
   static constexpr std::size_t kShades = 256;
