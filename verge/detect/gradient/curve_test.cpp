@@ -35,10 +35,10 @@ double distance_to_road(Vec2 p) {
 
 std::vector<Vec2> bend_points(double sigma) {
   std::mt19937 random(7);
-  std::normal_distribution<double> noise(0.0, sigma);
+  std::normal_distribution<double> unit;
   std::vector<Vec2> points;
   for (double s = 0.0; s <= 30.7; s += 0.25)
-    points.push_back(road_at(s) + Vec2{noise(random), noise(random)});
+    points.push_back(road_at(s) + sigma * Vec2{unit(random), unit(random)});
   return points;
 }
 
