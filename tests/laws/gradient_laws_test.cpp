@@ -4,7 +4,6 @@
 // Laws that detect/gradient must keep on every scan. No truth is needed: each scan is held against itself.
 #include <atomic>
 #include <functional>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,28 +37,21 @@ std::string text_of(const Scene& scene) { return emit::to_json_line(scene); }
 // What one law says of one scan: how well the result of the changed scan agrees with the changed result.
 using Law = std::function<Agreement(const Cloud&)>;
 
-// On simulated scans every vertex must agree.
-void check_on_simulated(const Law& law) {
-  for (const Subject& subject : simulated_subjects()) {
+// Every vertex must agree.
+void check(const Law& law, const std::vector<Subject>& subjects) {
+  for (const Subject& subject : subjects) {
     const Agreement found = law(subject.cloud);
-    EXPECT_GT(found.vertices, 100U) << subject.name << ": the law would hold of nothing";
+    EXPECT_GT(found.vertices, 30U) << subject.name << ": the law would hold of nothing";
     EXPECT_EQ(found.near, found.vertices) << subject.name;
   }
 }
 
-// On real ones a share of all vertices: where a point lies on a threshold, the last bit of a turned or
-// mirrored coordinate decides, and with it a vertex at the end of a boundary, or a short boundary far away.
-void check_on_real(const Law& law, double share) {
+void check_on_simulated(const Law& law) { check(law, simulated_subjects()); }
+
+void check_on_real(const Law& law) {
   const auto data = testing::data_folder();
   if (!data) GTEST_SKIP() << "VERGE_DATA is not set: no real scans";
-  Agreement all;
-  for (const Subject& subject : real_subjects(*data, kRealScans)) {
-    const Agreement found = law(subject.cloud);
-    all += found;
-    if (found.share() < share) std::cout << subject.name << ": share " << found.share() << "\n";
-  }
-  EXPECT_GT(all.vertices, 100U) << "the law would hold of nothing";
-  EXPECT_GE(all.share(), share) << all.near << " of " << all.vertices;
+  check(law, real_subjects(*data, kRealScans));
 }
 
 // All or nothing: the same text, to the last digit.
@@ -84,7 +76,7 @@ Agreement front_back_is_mirrored(const Cloud& cloud) {
 Agreement turned_is_turned(const Cloud& cloud) {
   const Scene straight = detect(cloud);
   Agreement all;
-  for (const double angle_deg : {-10.0, -4.0, 4.0, 10.0}) {
+  for (const double angle_deg : {-10.0, -3.7, 4.45, 9.3}) {
     const double angle = deg_to_rad(angle_deg);
     all += agreement(detect(testing::turned(cloud, angle)), turned(straight, angle), kTolerance_m);
   }
@@ -135,23 +127,23 @@ void expect_same_bytes(const std::vector<Subject>& subjects) {
 }  // namespace
 
 TEST(GradientLawsSimulated, ShufflingThePointsChangesNothing) { check_on_simulated(shuffled_is_same); }
-TEST(GradientLawsReal, ShufflingThePointsChangesNothing) { check_on_real(shuffled_is_same, 1.0); }
+TEST(GradientLawsReal, ShufflingThePointsChangesNothing) { check_on_real(shuffled_is_same); }
 
 TEST(GradientLawsSimulated, MirroringLeftAndRightMirrorsTheResult) {
   check_on_simulated(left_right_is_mirrored);
 }
-TEST(GradientLawsReal, MirroringLeftAndRightMirrorsTheResult) { check_on_real(left_right_is_mirrored, 0.99); }
+TEST(GradientLawsReal, MirroringLeftAndRightMirrorsTheResult) { check_on_real(left_right_is_mirrored); }
 
 TEST(GradientLawsSimulated, MirroringFrontAndBackMirrorsTheResult) {
   check_on_simulated(front_back_is_mirrored);
 }
-TEST(GradientLawsReal, MirroringFrontAndBackMirrorsTheResult) { check_on_real(front_back_is_mirrored, 0.99); }
+TEST(GradientLawsReal, MirroringFrontAndBackMirrorsTheResult) { check_on_real(front_back_is_mirrored); }
 
 TEST(GradientLawsSimulated, TurningTheVehicleTurnsTheResultAlong) { check_on_simulated(turned_is_turned); }
-TEST(GradientLawsReal, TurningTheVehicleTurnsTheResultAlong) { check_on_real(turned_is_turned, 0.95); }
+TEST(GradientLawsReal, TurningTheVehicleTurnsTheResultAlong) { check_on_real(turned_is_turned); }
 
 TEST(GradientLawsSimulated, PointsAboveTheGateChangeNothing) { check_on_simulated(ceiling_is_not_seen); }
-TEST(GradientLawsReal, PointsAboveTheGateChangeNothing) { check_on_real(ceiling_is_not_seen, 1.0); }
+TEST(GradientLawsReal, PointsAboveTheGateChangeNothing) { check_on_real(ceiling_is_not_seen); }
 
 TEST(GradientLawsSimulated, SameBytesTwiceAndWithAnyNumberOfThreads) {
   expect_same_bytes(simulated_subjects());

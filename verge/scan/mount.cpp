@@ -40,19 +40,25 @@ Vec3 LevelFrame::to_sensor(Vec3 p_level) const {
 
 MountEstimate estimate_mount(const Scan& scan, const MountHint& hint, const MountConfig& config) {
   MountEstimate estimate;
-  const auto plane = find_road_plane(scan, hint, config);
+  const auto first = find_road_plane(scan, hint, config);
   std::optional<double> heading = hint.forward_rad;
-  if (!heading && plane) heading = find_road_heading(scan, mount_of(*plane), config);
-  if (plane) {
-    estimate.mount = mount_of(refine_along_road(scan, *plane, heading.value_or(0.0), hint, config));
-    estimate.inlier_share = plane->inlier_share;
+  if (first) {
+    RoadPlane plane = *first;
+    // Twice: the first plane leans on the sensor's axes. What is found along the road from a plane that was
+    // itself found along the road no longer depends on how the vehicle stands on it.
+    for (int pass = 0; pass < 2; ++pass) {
+      if (!hint.forward_rad) heading = find_road_heading(scan, mount_of(plane), config);
+      plane = refine_along_road(scan, plane, heading.value_or(0.0), hint, config);
+    }
+    estimate.mount = mount_of(plane);
+    estimate.inlier_share = first->inlier_share;
   }
   // What is known stands, to the last bit.
   estimate.mount.height_m = hint.height_m.value_or(estimate.mount.height_m);
   estimate.mount.pitch_rad = hint.pitch_rad.value_or(estimate.mount.pitch_rad);
   estimate.mount.roll_rad = hint.roll_rad.value_or(estimate.mount.roll_rad);
   estimate.mount.forward_rad = heading.value_or(0.0);
-  estimate.plane_found = plane.has_value();
+  estimate.plane_found = first.has_value();
   estimate.heading_found = heading.has_value() && !hint.forward_rad;
   return estimate;
 }

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "verge/core/angle.hpp"
+#include "verge/core/statistics.hpp"
 #include "verge/scan/scan.hpp"
 
 namespace verge {
@@ -22,7 +22,9 @@ constexpr double kHighest = 2.0;     // metres above the road: what is higher sa
 constexpr double kLowest = -0.5;     // metres
 constexpr std::size_t kLeastSteps = 20;
 constexpr double kHeadingStep = std::numbers::pi / 180.0;
-constexpr double kBin = 0.2;        // metres of lateral position
+constexpr double kExact = 1e-5;     // radians
+constexpr double kBin = 0.3;        // metres of lateral position
+constexpr double kRival = 0.8;      // of the highest sample: what may turn out the highest peak
 constexpr double kStandsOut = 1.3;  // the peak over the median of all headings
 
 /// Points of one ring on one side of the vehicle, in the level frame, in order along the ring.
@@ -67,29 +69,61 @@ void append_steps(const Arc& arc, std::vector<Vec2>& steps) {
 }
 
 /// How much the steps' lateral positions pile up when the road runs along `heading`: sum of squares of a
-/// histogram. Each step is shared by its two nearest bins, so that mirrored steps give the mirrored
-/// histogram.
+/// histogram. Each step is shared by three bins as a quadratic B-spline does, so that the score is smooth in
+/// the heading, and mirrored steps give the mirrored histogram.
 double pile_up(const std::vector<Vec2>& steps, double heading) {
   const Vec2 across{-std::sin(heading), std::cos(heading)};
   constexpr int kHalf = static_cast<int>(kFar / kBin) + 2;
   std::vector<double> histogram(2 * kHalf + 1, 0.0);
   for (const Vec2 p : steps) {
     const double at = dot(across, p) / kBin + kHalf;
-    const auto low = static_cast<std::size_t>(at);
-    const double share = at - static_cast<double>(low);
-    histogram[low] += 1.0 - share;
-    histogram[low + 1] += share;
+    const double nearest = std::round(at);
+    const double off = at - nearest;
+    const auto middle = static_cast<std::size_t>(nearest);
+    histogram[middle - 1] += 0.5 * (0.5 - off) * (0.5 - off);
+    histogram[middle] += 0.75 - off * off;
+    histogram[middle + 1] += 0.5 * (0.5 + off) * (0.5 + off);
   }
   double sum = 0.0;
   for (const double h : histogram) sum += h * h;
   return sum;
 }
 
-/// Where between its neighbours the greatest of three equally spaced values lies, in steps: the apex of the
-/// parabola through them.
-double apex(double before, double peak, double after) {
-  const double bend = before - 2.0 * peak + after;
-  return bend < 0.0 ? 0.5 * (before - after) / bend : 0.0;
+/// A heading and how much the steps pile up along it.
+struct Peak {
+  double heading_rad = 0.0;
+  double score = 0.0;
+};
+
+/// The top of the one peak between low and high, by narrowing from both sides.
+Peak top_between(const std::vector<Vec2>& steps, double low, double high) {
+  while (high - low > kExact) {
+    const double third = (high - low) / 3.0;
+    const bool rises = pile_up(steps, low + third) < pile_up(steps, high - third);
+    (rises ? low : high) += rises ? third : -third;
+  }
+  const double middle = 0.5 * (low + high);
+  return {middle, pile_up(steps, middle)};
+}
+
+/// The highest peak. Of near-equal ones the tops decide, not the samples: which top a sample lies nearest to
+/// is chance.
+double highest_peak(const std::vector<Vec2>& steps, const std::vector<double>& score, double first) {
+  const double rival = kRival * *std::max_element(score.begin(), score.end());
+  Peak best;
+  for (std::size_t i = 0; i < score.size(); ++i) {
+    const bool rises = i == 0 || score[i] >= score[i - 1];
+    const bool falls = i + 1 == score.size() || score[i] >= score[i + 1];
+    if (!rises || !falls || score[i] < rival) continue;
+    const double sample = first + static_cast<double>(i) * kHeadingStep;
+    const Peak peak = top_between(steps, sample - kHeadingStep, sample + kHeadingStep);
+    if (peak.score > best.score) best = peak;
+  }
+  return best.heading_rad;
+}
+
+bool stands_out(const std::vector<double>& score) {
+  return *std::max_element(score.begin(), score.end()) > kStandsOut * median(score).value_or(0.0);
 }
 
 }  // namespace
@@ -105,15 +139,8 @@ std::optional<double> find_road_heading(const Scan& scan, const Mount& level, co
   const int n = static_cast<int>(config.heading_max_rad / kHeadingStep);
   std::vector<double> score;
   for (int k = -n; k <= n; ++k) score.push_back(pile_up(steps, k * kHeadingStep));
-  const auto peak =
-      static_cast<std::size_t>(std::distance(score.begin(), std::max_element(score.begin(), score.end())));
-  std::vector<double> sorted = score;
-  std::nth_element(sorted.begin(), sorted.begin() + n, sorted.end());
-  if (!(score[peak] > kStandsOut * sorted[static_cast<std::size_t>(n)])) return std::nullopt;
-
-  const bool inside = peak > 0 && peak + 1 < score.size();
-  const double fraction = inside ? apex(score[peak - 1], score[peak], score[peak + 1]) : 0.0;
-  return (static_cast<double>(peak) - n + fraction) * kHeadingStep;
+  if (!stands_out(score)) return std::nullopt;
+  return highest_peak(steps, score, -n * kHeadingStep);
 }
 
 }  // namespace verge

@@ -29,10 +29,14 @@ struct Surface {
   double weight = 0.0;
 };
 
-/// Square raster around the sensor, as far as the reach.
+/// Square raster around the sensor, as far as the reach, its rows along the heading: where the road is known,
+/// a vehicle that stands otherwise on it sees the same cells.
 class Raster {
  public:
-  explicit Raster(double reach) : half_(static_cast<int>(std::ceil(reach / kCell))), reach_(reach) {}
+  explicit Raster(double reach, double heading_rad = 0.0)
+      : half_(static_cast<int>(std::ceil(reach / kCell))),
+        reach_(reach),
+        along_{std::cos(heading_rad), std::sin(heading_rad)} {}
 
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(4 * half_ * half_); }
 
@@ -40,14 +44,15 @@ class Raster {
   [[nodiscard]] std::optional<std::size_t> cell(double x, double y) const {
     const double squared = x * x + y * y;
     if (!(squared > kOwnVehicle * kOwnVehicle && squared < reach_ * reach_)) return std::nullopt;
-    const int column = static_cast<int>(std::floor(x / kCell)) + half_;
-    const int row = static_cast<int>(std::floor(y / kCell)) + half_;
+    const int column = static_cast<int>(std::floor(dot(along_, {x, y}) / kCell)) + half_;
+    const int row = static_cast<int>(std::floor(cross(along_, {x, y}) / kCell)) + half_;
     return static_cast<std::size_t>(row * 2 * half_ + column);
   }
 
  private:
   int half_;
   double reach_;
+  Vec2 along_;
 };
 
 double distance_weight(Vec3 p) {
@@ -269,7 +274,7 @@ std::optional<RoadPlane> find_road_plane(const Scan& scan, const MountHint& hint
 
 RoadPlane refine_along_road(const Scan& scan, RoadPlane plane, double heading_rad, const MountHint& hint,
                             const MountConfig& config) {
-  const Raster raster(config.reach_m);
+  const Raster raster(config.reach_m, heading_rad);
   const Vec2 across{-std::sin(heading_rad), std::cos(heading_rad)};
   const auto weight = [&](Vec3 p) {
     const double lateral = dot(across, p.xy()) / kHalfLane;

@@ -76,52 +76,64 @@ double height_over(const Layer& layer, std::size_t begin, Vec3 foot, const Gradi
 class FootFinder {
  public:
   FootFinder(const Layer& layer, std::size_t begin, std::size_t end)
-      : layer_(layer), arc_(arc_of(layer)), begin_(begin), end_(end) {}
+      : layer_(layer), begin_(begin), end_(end) {
+    constexpr double kFar = 1.25;  // metres of road before the step
+    first_ = begin;
+    for (double before = 0.0; first_ > 0; --first_) {
+      before += spacing(first_ - 1);
+      if (before > kFar) break;
+    }
+    double arc = 0.0;
+    for (std::size_t i = first_; i < begin; ++i) arc -= spacing(i);
+    for (std::size_t i = first_; i < end; ++i) {
+      arc_.push_back(arc);
+      arc += i + 1 < end ? spacing(i) : 0.0;
+    }
+  }
 
   [[nodiscard]] std::optional<Vec3> find() const {
-    constexpr double kFar = 1.25;
-    std::size_t last = 0;
     for (const double near : {0.35, 0.1}) {
-      const std::vector<Vec2> road = road_heights(kFar, near, last);
+      const std::vector<Vec2> road = road_heights(near);
       if (road.size() < 4) continue;
-      if (const auto line = fit::fit_line_ordinary(road)) return departure(*line, last);
+      if (const auto line = fit::fit_line_ordinary(road)) return departure(*line, first_ + road.size());
     }
     return std::nullopt;
   }
 
  private:
-  /// (arc, height) of the returns from `far` to `near` metres before the step; `last` = the index of the last
-  /// of them.
-  [[nodiscard]] std::vector<Vec2> road_heights(double far, double near, std::size_t& last) const {
+  /// From return i to the next one, in the plane.
+  [[nodiscard]] double spacing(std::size_t i) const {
+    return distance(layer_.points[i].xy(), layer_.points[i + 1].xy());
+  }
+
+  /// (arc length from the step, height).
+  [[nodiscard]] Vec2 at(std::size_t i) const { return {arc_[i - first_], layer_.points[i].z}; }
+
+  /// The returns of the road before the step that are not nearer to it than `near`.
+  [[nodiscard]] std::vector<Vec2> road_heights(double near) const {
     std::vector<Vec2> road;
-    for (std::size_t i = 0; i < begin_; ++i) {
-      const double before = arc_[begin_] - arc_[i];
-      if (before > far || before < near) continue;
-      road.push_back({-before, layer_.points[i].z});
-      last = i;
-    }
+    for (std::size_t i = first_; i < begin_ && at(i).x <= -near; ++i) road.push_back(at(i));
     return road;
   }
 
-  [[nodiscard]] double residual(const fit::Line& line, std::size_t i) const {
-    return fit::signed_distance(line, {arc_[i] - arc_[begin_], layer_.points[i].z});
-  }
-
-  [[nodiscard]] std::optional<Vec3> departure(const fit::LineFit& road, std::size_t last) const {
+  /// Where the heights leave the road for good, looked for from return `from` on.
+  [[nodiscard]] std::optional<Vec3> departure(const fit::LineFit& road, std::size_t from) const {
     const double on_road = std::max(0.014, 2.5 * road.residuals.rms_m);
     const double off_road = std::max(0.04, 1.5 * on_road);
-    std::size_t i = last + 1;
-    while (i < end_ && !(residual(road.line, i) > off_road)) ++i;
+    const auto residual = [&](std::size_t k) { return fit::signed_distance(road.line, at(k)); };
+    std::size_t i = from;
+    while (i < end_ && !(residual(i) > off_road)) ++i;
     if (i >= end_) return std::nullopt;
-    while (i > last + 1 && residual(road.line, i) > on_road) --i;
+    while (i > from && residual(i) > on_road) --i;
     const std::size_t next = std::min(i + 1, end_ - 1);
     return 0.5 * (layer_.points[i] + layer_.points[next]);
   }
 
   const Layer& layer_;
-  std::vector<double> arc_;
+  std::size_t first_;
   std::size_t begin_;
   std::size_t end_;
+  std::vector<double> arc_;  ///< From first_ to end_, 0 at begin_.
 };
 
 }  // namespace

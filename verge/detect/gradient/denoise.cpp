@@ -76,6 +76,34 @@ std::optional<double> runs_on(const Chain& front, const Chain& rear, const Gradi
   return worst >= config.join_cosine ? std::optional(apart) : std::nullopt;
 }
 
+/// A front and a rear chain, by index, that are one boundary.
+struct Join {
+  double apart_m;
+  std::size_t front, rear;
+};
+
+/// The nearest pairs first, each chain once: no matter which of the two is looked at first, so that what is
+/// ahead and what is behind are alike.
+std::vector<Join> nearest_joins(const std::vector<const Chain*>& front, const std::vector<const Chain*>& rear,
+                                const GradientConfig& config) {
+  std::vector<Join> possible;
+  for (std::size_t f = 0; f < front.size(); ++f) {
+    for (std::size_t r = 0; r < rear.size(); ++r) {
+      if (const auto apart = runs_on(*front[f], *rear[r], config)) possible.push_back({*apart, f, r});
+    }
+  }
+  std::stable_sort(possible.begin(), possible.end(),
+                   [](const Join& a, const Join& b) { return a.apart_m < b.apart_m; });
+  std::vector<Join> joins;
+  for (const Join& next : possible) {
+    const bool taken = std::any_of(joins.begin(), joins.end(), [&](const Join& j) {
+      return j.front == next.front || j.rear == next.rear;
+    });
+    if (!taken) joins.push_back(next);
+  }
+  return joins;
+}
+
 Strand strand_of(const Chain* rear, const Chain* front, bool right) {
   Strand strand;
   strand.right = right;
@@ -120,26 +148,23 @@ std::vector<Chain> link_layers(Quadrant region, const std::vector<Candidate>& ca
 
 std::vector<Strand> join_front_and_rear(const std::vector<Chain>& chains, bool right,
                                         const GradientConfig& config) {
-  std::vector<Strand> strands;
+  std::vector<const Chain*> front;
   std::vector<const Chain*> rear;
   for (const Chain& chain : chains) {
-    if (is_right(chain.region) == right && !is_front(chain.region)) rear.push_back(&chain);
+    if (is_right(chain.region) == right) (is_front(chain.region) ? front : rear).push_back(&chain);
   }
-  for (const Chain& front : chains) {
-    if (is_right(front.region) != right || !is_front(front.region)) continue;
-    auto best = rear.end();
-    double nearest = 0.0;
-    for (auto it = rear.begin(); it != rear.end(); ++it) {
-      const auto apart = runs_on(front, **it, config);
-      if (apart && (best == rear.end() || *apart < nearest)) {
-        best = it;
-        nearest = *apart;
-      }
-    }
-    strands.push_back(strand_of(best == rear.end() ? nullptr : *best, &front, right));
-    if (best != rear.end()) rear.erase(best);
+  std::vector<Strand> strands;
+  for (const Join& join : nearest_joins(front, rear, config)) {
+    strands.push_back(strand_of(rear[join.rear], front[join.front], right));
+    front[join.front] = nullptr;
+    rear[join.rear] = nullptr;
   }
-  for (const Chain* chain : rear) strands.push_back(strand_of(chain, nullptr, right));
+  for (const Chain* chain : front) {
+    if (chain != nullptr) strands.push_back(strand_of(nullptr, chain, right));
+  }
+  for (const Chain* chain : rear) {
+    if (chain != nullptr) strands.push_back(strand_of(chain, nullptr, right));
+  }
   std::erase_if(strands, [&](const Strand& s) { return s.obstacle && !is_wall(s, config); });
   return strands;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/detect/gradient/denoise.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "verge/core/angle.hpp"
@@ -73,6 +75,28 @@ TEST(Join, FrontAndRearOfOneKerbAreOneStrandFromRearToFront) {
 
 TEST(Join, ParallelKerbsStayApart) {
   EXPECT_EQ(join_front_and_rear(left_side(kerb(2.5, 6), kerb(9.0, 6, -1.0)), false, {}).size(), 2U);
+}
+
+/// A chain along the left side from x on, away from the vehicle.
+Chain chain_from(double x, double y) {
+  Chain chain{x > 0.0 ? Quadrant::kB : Quadrant::kD, false, {}};
+  for (std::size_t r = 0; r < 6; ++r)
+    chain.points.push_back(at(r, x + (x > 0.0 ? 0.4 : -0.4) * static_cast<double>(r), y));
+  return chain;
+}
+
+// Found on a real scan whose mirror image joined otherwise: the chain that was looked at first took the
+// other.
+TEST(Join, TheNearestPairJoinsWhicheverIsAheadAndWhicheverBehind) {
+  for (const double ahead : {1.0, -1.0}) {
+    const std::vector<Chain> chains{chain_from(ahead * 3.0, 2.5), chain_from(ahead * 2.0, 2.6),
+                                    chain_from(ahead * -2.0, 2.5)};
+    const auto strands = join_front_and_rear(chains, false, {});
+    ASSERT_EQ(strands.size(), 2U);
+    ASSERT_EQ(strands[0].points.size(), 12U);
+    const std::vector<Candidate>& joined = strands[0].points;
+    EXPECT_EQ(std::max(joined.front().foot.y, joined.back().foot.y), 2.6);
+  }
 }
 
 TEST(Join, TheOtherSideIsNotLookedAt) {
