@@ -4,25 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "verge/fit/test_points.hpp"
+
 namespace verge::fit {
 namespace {
-
-using Raw = std::vector<std::pair<std::uint8_t, std::int8_t>>;
-
-/// Key points from 1 cm to 4 m apart in x.
-std::vector<Vec2> key_points_of(const Raw& raw) {
-  std::vector<Vec2> points;
-  double x = 0.0;
-  for (const auto& [dx, y] : raw) points.push_back({x += 0.01 + dx / 64.0, y / 16.0});
-  return points;
-}
 
 const std::vector<Vec2> kBend{{0.0, 0.0}, {4.0, 0.2}, {7.0, 1.0}, {9.0, 3.0}, {9.5, 6.0}, {9.6, 12.0}};
 
@@ -45,8 +35,8 @@ TEST(Interpolation, GoesThroughTheKeyPointsOfTheNurbsBooksExample) {
 }
 
 TEST(Interpolation, ResidualsStayBelowANanometre) {
-  rc::check([](const Raw& raw, bool chord) {
-    const auto q = key_points_of(raw);
+  rc::check([](const testing::RawSteps& raw, bool chord) {
+    const auto q = testing::steps_of(raw);
     RC_PRE(q.size() >= 2U);
     const auto kind = chord ? Parameterization::kChordLength : Parameterization::kCentripetal;
     const auto curve = interpolate(q, {.parameterization = kind});
@@ -108,8 +98,8 @@ TEST(Interpolation, OnUniformKnotsIsNoneWherePointsCrowd) {
 }
 
 TEST(Interpolation, ReversedPointsGiveTheSameCurveBackwards) {
-  rc::check([](const Raw& raw) {
-    auto q = key_points_of(raw);
+  rc::check([](const testing::RawSteps& raw) {
+    auto q = testing::steps_of(raw);
     RC_PRE(q.size() >= 2U);
     const auto there = interpolate(q).value();
     std::ranges::reverse(q);

@@ -8,22 +8,15 @@
 #include <limits>
 #include <numbers>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "verge/fit/test_points.hpp"
+
 namespace verge::fit {
 namespace {
-
-using Raw = std::vector<std::pair<std::int16_t, std::int16_t>>;
-
-std::vector<Vec2> points_of(const Raw& raw) {
-  std::vector<Vec2> points;
-  for (const auto& [x, y] : raw) points.push_back({x / 256.0, y / 256.0});
-  return points;
-}
 
 Vec2 turned(Vec2 p, double angle) {
   return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
@@ -128,8 +121,8 @@ TEST(Line, RobustFitOfExactPointsIsExactInSpiteOfAnOutlier) {
 }
 
 TEST(Line, NoLineLiesNearerInTheSumOfSquares) {
-  rc::check([](const Raw& raw, std::int8_t turn, std::int8_t shift) {
-    const auto points = points_of(raw);
+  rc::check([](const testing::RawPlaces& raw, std::int8_t turn, std::int8_t shift) {
+    const auto points = testing::places_of(raw);
     const auto fit = fit_line(points);
     RC_PRE(fit.has_value());
     const auto cost = [&](const Line& line) {
@@ -145,8 +138,8 @@ TEST(Line, NoLineLiesNearerInTheSumOfSquares) {
 }
 
 TEST(Line, TurnsWithItsPoints) {
-  rc::check([](const Raw& raw, std::int8_t turn) {
-    const auto points = points_of(raw);
+  rc::check([](const testing::RawPlaces& raw, std::int8_t turn) {
+    const auto points = testing::places_of(raw);
     const auto fit = fit_line(points);
     RC_PRE(fit.has_value());
     std::vector<Vec2> moved;
@@ -159,8 +152,8 @@ TEST(Line, TurnsWithItsPoints) {
 }
 
 TEST(Line, MirroringThePointsMirrorsTheLineBitForBit) {
-  rc::check([](const Raw& raw) {
-    auto points = points_of(raw);
+  rc::check([](const testing::RawPlaces& raw) {
+    auto points = testing::places_of(raw);
     const auto fit = fit_line_robust(points);
     RC_PRE(fit.has_value());
     for (Vec2& p : points) p.y = -p.y;
@@ -173,8 +166,8 @@ TEST(Line, MirroringThePointsMirrorsTheLineBitForBit) {
 }
 
 TEST(Line, AWeightOfZeroLeavesThePointOutAndAWeightOfTwoCountsItTwice) {
-  rc::check([](const Raw& raw) {
-    const auto points = points_of(raw);
+  rc::check([](const testing::RawPlaces& raw) {
+    const auto points = testing::places_of(raw);
     std::vector<double> weights;
     std::vector<Vec2> repeated;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -5,9 +5,7 @@
 // long to compile, and the room itself does without them.
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -20,19 +18,10 @@
 #include "verge/fit/bspline_least_squares.hpp"
 #include "verge/fit/knots.hpp"
 #include "verge/fit/line.hpp"
+#include "verge/fit/test_points.hpp"
 
 namespace verge::fit {
 namespace {
-
-using Raw = std::vector<std::pair<std::uint8_t, std::int8_t>>;
-
-/// Points from 1 cm to 4 m apart in x.
-std::vector<Vec2> points_of(const Raw& raw) {
-  std::vector<Vec2> points;
-  double x = 0.0;
-  for (const auto& [dx, y] : raw) points.push_back({x += 0.01 + dx / 64.0, y / 16.0});
-  return points;
-}
 
 Eigen::Matrix2Xd columns_of(const std::vector<Vec2>& points) {
   Eigen::Matrix2Xd columns(2, static_cast<Eigen::Index>(points.size()));
@@ -60,8 +49,8 @@ Eigen::MatrixXd dense_penalty(const std::vector<double>& knots, std::size_t degr
 }
 
 TEST(OutsideOracle, TheLinesDirectionIsTheFirstEigenvectorOfTheScatter) {
-  rc::check([](const Raw& raw) {
-    const auto points = points_of(raw);
+  rc::check([](const testing::RawSteps& raw) {
+    const auto points = testing::steps_of(raw);
     const auto fit = fit_line(points);
     RC_PRE(fit.has_value());
     const Eigen::Matrix2Xd columns = columns_of(points);
@@ -111,8 +100,8 @@ TEST(OutsideOracle, ChordLengthParametersAreTheirs) {
 }
 
 TEST(OutsideOracle, AveragedKnotsAreTheirs) {
-  rc::check([](const Raw& raw) {
-    const auto points = points_of(raw);
+  rc::check([](const testing::RawSteps& raw) {
+    const auto points = testing::steps_of(raw);
     RC_PRE(points.size() >= 4U);
     const auto u = parameters(points, Parameterization::kCentripetal).value();
     const Eigen::RowVectorXd given =
@@ -127,8 +116,8 @@ TEST(OutsideOracle, AveragedKnotsAreTheirs) {
 }
 
 TEST(OutsideOracle, TheInterpolatingCurveIsTheirs) {
-  rc::check([](const Raw& raw) {
-    const auto q = points_of(raw);
+  rc::check([](const testing::RawSteps& raw) {
+    const auto q = testing::steps_of(raw);
     RC_PRE(q.size() >= 4U);
     const auto theirs = Eigen::SplineFitting<Eigen::Spline<double, 2, 3>>::Interpolate(columns_of(q), 3);
     const auto ours = interpolate(q, {.parameterization = Parameterization::kChordLength}).value();

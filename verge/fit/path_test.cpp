@@ -4,23 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "verge/fit/test_points.hpp"
+
 namespace verge::fit {
 namespace {
-
-using Raw = std::vector<std::pair<std::int16_t, std::int16_t>>;
-
-std::vector<Vec2> points_of(const Raw& raw) {
-  std::vector<Vec2> points;
-  for (const auto& [x, y] : raw) points.push_back({x / 256.0, y / 256.0});
-  return points;
-}
 
 TEST(Path, OrdersAlongADirectionThenFromRightToLeft) {
   const std::vector<Vec2> points{{2.0, 0.0}, {1.0, 1.0}, {1.0, -1.0}, {0.0, 5.0}};
@@ -29,8 +21,8 @@ TEST(Path, OrdersAlongADirectionThenFromRightToLeft) {
 }
 
 TEST(Path, TheOrderDoesNotDependOnHowThePointsCame) {
-  rc::check([](const Raw& raw) {
-    auto points = points_of(raw);
+  rc::check([](const testing::RawPlaces& raw) {
+    auto points = testing::places_of(raw);
     const auto ordered = gather(points, order_along(points, {3.0, 1.0}));
     std::ranges::reverse(points);
     RC_ASSERT(gather(points, order_along(points, {3.0, 1.0})) == ordered);
@@ -48,8 +40,8 @@ TEST(Path, DropsPointsWithinACentimetreOfTheLastOneKept) {
 }
 
 TEST(Path, WhatIsLeftIsNeverCloserThanTheDuplicateDistance) {
-  rc::check([](const Raw& raw) {
-    const auto points = points_of(raw);
+  rc::check([](const testing::RawPlaces& raw) {
+    const auto points = testing::places_of(raw);
     const auto kept = gather(points, drop_duplicates(points, 0.5));
     for (std::size_t i = 1; i < kept.size(); ++i) RC_ASSERT(distance(kept[i - 1], kept[i]) >= 0.5);
     RC_ASSERT(kept.empty() == points.empty());

@@ -15,6 +15,7 @@
 
 #include "verge/core/angle.hpp"
 #include "verge/sensor/hdl32e.hpp"
+#include "verge/sim/test_worlds.hpp"
 
 namespace verge::sim {
 namespace {
@@ -22,12 +23,6 @@ namespace {
 Vec3 direction(double azimuth_rad, double elevation_rad) {
   return {std::cos(elevation_rad) * std::cos(azimuth_rad), std::cos(elevation_rad) * std::sin(azimuth_rad),
           std::sin(elevation_rad)};
-}
-
-Caster flat_ground() {
-  World world;
-  add_ground(world, {0.0, 0.0, 0.0}, 500.0, Surface::kGround);
-  return Caster(std::move(world));
 }
 
 // A road between kerbs of 0.12 m at y = -4 and y = 4, level on and off the road.
@@ -44,7 +39,7 @@ Caster road_between_curbs() {
 }
 
 TEST(Caster, RingsOfFlatGroundHaveRadiusHeightOverTangent) {
-  const Caster caster = flat_ground();
+  const Caster caster = testing::flat_ground();
   const double height = 1.9;
   for (const sensor::Laser& laser : sensor::hdl32e().lasers) {
     if (laser.elevation_rad >= 0.0) continue;
@@ -60,13 +55,13 @@ TEST(Caster, RingsOfFlatGroundHaveRadiusHeightOverTangent) {
 }
 
 TEST(Caster, RaysAtOrAboveTheHorizonMeetNothingOnFlatGround) {
-  const Caster caster = flat_ground();
+  const Caster caster = testing::flat_ground();
   EXPECT_FALSE(caster.cast({0.0, 0.0, 1.9}, direction(0.3, 0.0)).has_value());
   EXPECT_FALSE(caster.cast({0.0, 0.0, 1.9}, direction(0.3, 0.1)).has_value());
 }
 
 TEST(Caster, FourLayersOneMetreUpHitTheGroundWherePaper1Says) {
-  const Caster caster = flat_ground();
+  const Caster caster = testing::flat_ground();
   const std::array expected = {3.732, 4.031, 4.378, 4.787};
   for (std::size_t layer = 0; layer < expected.size(); ++layer) {
     const double from_vertical = deg_to_rad(75.0 + 3.2 / 3.0 * static_cast<double>(layer));

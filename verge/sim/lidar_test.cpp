@@ -16,18 +16,13 @@
 
 #include "verge/core/angle.hpp"
 #include "verge/sensor/hdl32e.hpp"
+#include "verge/sim/test_worlds.hpp"
 
 namespace verge::sim {
 namespace {
 
 constexpr double kHeight_m = 1.9;
 const NoiseConfig kNoNoise{.seed = 1, .range_sigma_m = 0.0, .dropout_at_range_max = 0.0};
-
-Caster flat_ground() {
-  World world;
-  add_ground(world, {0.0, 0.0, 0.0}, 500.0, Surface::kGround);
-  return Caster(std::move(world));
-}
 
 // Four walls and a roof around the sensor: every shot comes back.
 Caster closed_room() {
@@ -49,7 +44,7 @@ sensor::BeamModel exact_hdl32e() {
 
 TEST(Revolution, EachRingOfFlatGroundLiesWithinAMillionthOfHeightOverTangent) {
   sensor::BeamModel model = exact_hdl32e();
-  const Scan scan = simulate_revolution(flat_ground(), model, standing(), 0, kNoNoise);
+  const Scan scan = simulate_revolution(testing::flat_ground(), model, standing(), 0, kNoNoise);
   std::vector<double> elevations;
   for (const sensor::Laser& laser : model.lasers) elevations.push_back(laser.elevation_rad);
   std::sort(elevations.begin(), elevations.end());
@@ -140,7 +135,7 @@ TEST(Revolution, NoiseHasTheAskedMeanAndDeviation) {
 TEST(Revolution, TheShareOfLostReturnsGrowsWithTheSquareOfTheRange) {
   const NoiseConfig noise{.seed = 5, .range_sigma_m = 0.0, .dropout_at_range_max = 0.8};
   const sensor::BeamModel model = exact_hdl32e();
-  const Caster ground = flat_ground();
+  const Caster ground = testing::flat_ground();
   const Scan all = simulate_revolution(ground, model, standing(), 0, kNoNoise);
   const Scan kept = simulate_revolution(ground, model, standing(), 0, noise);
   ASSERT_GE(kept.ring_count(), 23U);
@@ -157,7 +152,7 @@ TEST(Revolution, NothingIsReportedBeyondTheSensorsReach) {
   sensor::BeamModel model = exact_hdl32e();
   model.range_min_m = 4.0;
   model.range_max_m = 20.0;
-  const Scan scan = simulate_revolution(flat_ground(), model, standing(), 0, kNoNoise);
+  const Scan scan = simulate_revolution(testing::flat_ground(), model, standing(), 0, kNoNoise);
   ASSERT_GT(scan.size(), 1000U);
   for (std::size_t i = 0; i < scan.size(); ++i) {
     EXPECT_GE(norm(scan.point(i)), 4.0 - 1e-5);
