@@ -18,10 +18,10 @@
 #include <unistd.h>
 
 #include "verge/core/atomic_file.hpp"
-#include "verge/io/format/csv.hpp"
-#include "verge/io/format/kitti.hpp"
-#include "verge/io/format/nuscenes.hpp"
-#include "verge/io/format/pcd.hpp"
+#include "verge/io/file/csv.hpp"
+#include "verge/io/file/kitti.hpp"
+#include "verge/io/file/nuscenes.hpp"
+#include "verge/io/file/pcd.hpp"
 #include "verge/io/sniff.hpp"
 #include "verge/scan/organise.hpp"
 #include "verge/scan/test_clouds.hpp"

@@ -60,12 +60,18 @@ def own_files(source, seen=None):
     return seen
 
 
+def is_test(source):
+    """Tests, and what only tests use."""
+    name = pathlib.PurePath(source).name
+    return name.endswith("_test.cpp") or name.startswith("test_")
+
+
 def compile_commands(build):
     """{source relative to the root: its command} for the sources of the library and the program."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     commands = {os.path.relpath(entry["file"], ROOT): entry["command"] for entry in entries}
     return {source: command for source, command in sorted(commands.items())
-            if source.startswith(("verge/", "apps/")) and not source.endswith("_test.cpp")}
+            if source.startswith(("verge/", "apps/")) and not is_test(source)}
 
 
 def fingerprint(source, command):

@@ -18,7 +18,7 @@
 #include "apps/verge/progress.hpp"
 #include "apps/verge/signals.hpp"
 #include "verge/emit/jsonl_writer.hpp"
-#include "verge/io/format/nuscenes.hpp"
+#include "verge/io/file/nuscenes.hpp"
 #include "verge/sim/drive.hpp"
 
 namespace verge::app {

@@ -35,7 +35,7 @@ class HeightDots {
       same.push_back(places_[i].at);
       const std::size_t shade = places_[i].shade;
       if (i + 1 < places_.size() && places_[i + 1].shade == shade) continue;
-      canvas.dots(same, view_.px(kScanRadius), scale_.colour(shade).faded(strength));
+      canvas.dots(same, view_.px(kScanRadius), HeightScale::colour(shade).faded(strength));
       same.clear();
     }
   }

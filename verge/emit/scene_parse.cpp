@@ -208,7 +208,7 @@ std::vector<Boundary> read_boundaries(Reader& reader, const json& record, const 
     reader.each(v, at,
                 [&](const json& b, const Place& in) { boundaries.push_back(read_boundary(reader, b, in)); });
   });
-  if (!found) reader.fail(root, "a record without boundaries", {}, "\"boundaries\" or \"points\"");
+  if (!found) reader.fail(root, "a record without boundaries", {}, R"("boundaries" or "points")");
   return boundaries;
 }
 

@@ -195,14 +195,15 @@ std::optional<WeightedCurve> solve_round(const Problem& problem, const Stations&
   const std::size_t degree = std::min(options.degree, points.size() - 1);
   const std::size_t count = control_point_count(stations.length_m, degree, points.size(), options.span_m);
   const Design at = design(knots_for(stations.u, count, degree, options.knots), degree, stations.u);
-  auto best = solve_with(at, points, std::move(start), options.penalty);
-  if (!best || !options.robust) return best;
+  auto first = solve_with(at, points, std::move(start), options.penalty);
+  if (!first || !options.robust) return first;
+  WeightedCurve best = *std::move(first);
   for (int i = iteration; i < options.robust->start_iterations + options.robust->iterations; ++i) {
-    const auto residuals = normal_residuals(best->curve, at, points);
+    const auto residuals = normal_residuals(best.curve, at, points);
     auto next =
         solve_with(at, points, robust_weights(i, residuals, weights, *options.robust), options.penalty);
     if (!next) break;  // too few points still weigh something: the curve before stands
-    best = std::move(next);
+    best = *std::move(next);
   }
   return best;
 }

@@ -9,11 +9,11 @@
 
 #include <fmt/core.h>
 
-#include "verge/io/format/csv.hpp"
-#include "verge/io/format/kitti.hpp"
-#include "verge/io/format/nuscenes.hpp"
-#include "verge/io/format/pcd.hpp"
-#include "verge/io/format/ply.hpp"
+#include "verge/io/file/csv.hpp"
+#include "verge/io/file/kitti.hpp"
+#include "verge/io/file/nuscenes.hpp"
+#include "verge/io/file/pcd.hpp"
+#include "verge/io/file/ply.hpp"
 #include "verge/io/sniff.hpp"
 
 namespace verge::io {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
@@ -12,6 +12,7 @@
 #include "verge/io/decode.hpp"
 #include "verge/io/files.hpp"
 #include "verge/io/kitti_sequence.hpp"
+#include "verge/io/notes.hpp"
 #include "verge/io/sniff.hpp"
 #include "verge/io/source.hpp"
 
@@ -48,8 +49,7 @@ class FileSource final : public Source {
   std::size_t next_ = 0;
   std::optional<Input> first_;
   Buffer buffer_;
-  std::optional<RingSource> ring_source_;
-  std::set<std::string> said_;
+  Notes notes_;
 };
 
 Expected<Input> FileSource::open_next() {
@@ -57,20 +57,13 @@ Expected<Input> FileSource::open_next() {
   return Input::open(info_.files[next_], limits_of(options_), std::move(buffer_));
 }
 
-/// Notes once, not at each of thousands of scans: the rings' when they are found another way than before.
 void FileSource::report(const DecodedScan& decoded, const fs::path& file) {
-  constexpr std::size_t kMostNotes = 16;
-  const auto say = [&](const std::string& text) {
-    note(options_.log, fmt::format("{}: {}", file.string(), text));
-  };
-  if (name_lies(file, decoded.format) && said_.insert("name").second) {
-    say(fmt::format("is {} by its content", enum_names<Format>[static_cast<std::size_t>(decoded.format)]));
+  if (name_lies(file, decoded.format)) {
+    const std::string_view format = enum_names<Format>[static_cast<std::size_t>(decoded.format)];
+    notes_.once(options_.log, file.string(), fmt::format("is {} by its content", format));
   }
-  for (const std::string& text : decoded.notes) {
-    if (said_.size() < kMostNotes && said_.insert(text).second) say(text);
-  }
-  if (ring_source_ != decoded.organised.source) say(decoded.organised.note);
-  ring_source_ = decoded.organised.source;
+  for (const std::string& text : decoded.notes) notes_.once(options_.log, file.string(), text);
+  notes_.rings(options_.log, file.string(), decoded.organised);
 }
 
 Expected<std::optional<Scan>> FileSource::next() {
@@ -95,6 +88,11 @@ std::vector<T> slice(const std::vector<T>& all, const OpenOptions& options) {
   return {all.begin() + static_cast<std::ptrdiff_t>(begin), all.begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
+SourceInfo info_of(Format format, std::vector<fs::path> files) {
+  const std::size_t scans = files.size();
+  return {format, std::move(files), scans};
+}
+
 /// The format of the first file that has one; the first file's trouble where none has.
 Expected<Format> first_format(const std::vector<fs::path>& files, const OpenOptions& options) {
   if (options.format) return *options.format;
@@ -113,7 +111,7 @@ Expected<std::unique_ptr<Source>> open_folder(const fs::path& folder, const Open
   if (!found) return Unexpected(found.error());
   const auto format = first_format(found->files, options);
   if (!format) return Unexpected(format.error());
-  auto source = std::make_unique<FileSource>(options, SourceInfo{*format, slice(found->files, options)});
+  auto source = std::make_unique<FileSource>(options, info_of(*format, slice(found->files, options)));
   if (*format == Format::kKitti) {
     KittiSequence sequence = find_kitti_sequence(found->folder, limits_of(options), options.log);
     const std::size_t rows = std::max(sequence.stamps_ns.size(), sequence.T_world_sensor.size());
@@ -132,7 +130,7 @@ Expected<std::unique_ptr<Source>> open_file(const fs::path& path, const OpenOpti
   if (!input) return Unexpected(input.error());
   const auto format = options.format ? Expected<Format>(*options.format) : sniff(*input);
   if (!format) return Unexpected(format.error());
-  auto source = std::make_unique<FileSource>(options, SourceInfo{*format, slice(std::vector{path}, options)});
+  auto source = std::make_unique<FileSource>(options, info_of(*format, slice(std::vector{path}, options)));
   if (!source->info().files.empty()) source->hold(std::move(*input));
   if (*format == Format::kKitti) {
     KittiSequence sequence = find_kitti_sequence(path.parent_path(), limits_of(options), options.log);

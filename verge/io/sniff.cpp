@@ -10,8 +10,8 @@
 
 #include <fmt/core.h>
 
-#include "verge/io/format/csv.hpp"
-#include "verge/io/format/floats.hpp"
+#include "verge/io/file/csv.hpp"
+#include "verge/io/file/floats.hpp"
 #include "verge/io/text.hpp"
 
 namespace verge::io {

@@ -17,6 +17,7 @@
 #include "verge/core/error.hpp"
 #include "verge/core/fields.hpp"
 #include "verge/core/log.hpp"
+#include "verge/io/recording.hpp"
 #include "verge/scan/scan.hpp"
 
 namespace verge::io {
@@ -41,13 +42,18 @@ struct OpenOptions {
   std::size_t frames_begin = 0;  ///< First scan to hand out, counted from 0.
   std::optional<std::size_t> frames_end{};  ///< Past the last; none: all.
   int timeout_ms = 5000;                    ///< For a FIFO that nobody writes.
-  Log log{};                                ///< Notes and warnings, one line each.
+  std::optional<std::string> topic{};       ///< These four: see RecordingOptions.
+  std::optional<std::string> sensor_ip{};
+  std::optional<std::string> model{};
+  std::optional<std::filesystem::path> calibration{};
+  Log log{};  ///< Notes and warnings, one line each.
 };
 
 /// What the recording holds, as far as it is known without reading it through.
 struct SourceInfo {
   Format format = Format::kKitti;
   std::vector<std::filesystem::path> files;  ///< In natural order; the frames asked for.
+  std::optional<std::size_t> scans{};  ///< How many next() will say something of; none: known at the end.
 };
 
 /// Scans of a recording, one by one. Memory does not grow with the length of the recording.
@@ -63,6 +69,9 @@ class Source {
   [[nodiscard]] virtual Expected<std::optional<Scan>> next() = 0;
 
   [[nodiscard]] virtual const SourceInfo& info() const = 0;
+
+  /// What the recording's own pieces (packets, messages, bytes) came to so far; empty where a file is a scan.
+  [[nodiscard]] virtual std::vector<Counter> counters() const { return {}; }
 };
 
 /// Opens one file or a folder of files of one format (natural sort). Beside the files it finds KITTI's

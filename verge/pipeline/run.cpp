@@ -81,8 +81,7 @@ void render(Item& item, const Ends& ends) {
 /// The serial ends of the run and what they remember; the stages between hold no state.
 class Run {
  public:
-  Run(const Ends& ends, const Options& options, const std::atomic<bool>& stop)
-      : ends_(ends), options_(options), stop_(stop) {}
+  Run(const Ends& ends, const Options& options, const std::atomic<bool>& stop) : ends_(ends), stop_(stop) {}
 
   /// The next scan, or null where the run ends.
   [[nodiscard]] ItemPtr read() {
@@ -139,7 +138,6 @@ class Run {
   }
 
   const Ends& ends_;
-  const Options& options_;
   const std::atomic<bool>& stop_;
   std::atomic<bool> failed_{false};
   std::size_t index_ = 0;

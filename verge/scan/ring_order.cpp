@@ -36,16 +36,16 @@ std::strong_ordering compare(const std::vector<T>& column, std::size_t a, std::s
 
 // Which of two points with the same azimuth comes first.
 bool precedes(const Scan& s, std::size_t a, std::size_t b) {
-  if (const auto c = compare(s.z, a, b); c != 0) return c < 0;
-  if (const auto c = compare(s.x, a, b); c != 0) return c < 0;
-  if (const auto c = compare(s.y, a, b); c != 0) return c < 0;
-  if (const auto c = compare(s.intensity, a, b); c != 0) return c < 0;
-  if (const auto c = compare(s.time_offset_ns, a, b); c != 0) return c < 0;
-  if (const auto c = compare(s.echo, a, b); c != 0) return c < 0;
-  if (const auto c = compare(s.pulse_width, a, b); c != 0) return c < 0;
-  if (const auto c = compare(s.flags, a, b); c != 0) return c < 0;
-  if (const auto c = compare(s.label, a, b); c != 0) return c < 0;
-  if (const auto c = compare(s.input_index, a, b); c != 0) return c < 0;
+  if (const auto c = compare(s.z, a, b); std::is_neq(c)) return std::is_lt(c);
+  if (const auto c = compare(s.x, a, b); std::is_neq(c)) return std::is_lt(c);
+  if (const auto c = compare(s.y, a, b); std::is_neq(c)) return std::is_lt(c);
+  if (const auto c = compare(s.intensity, a, b); std::is_neq(c)) return std::is_lt(c);
+  if (const auto c = compare(s.time_offset_ns, a, b); std::is_neq(c)) return std::is_lt(c);
+  if (const auto c = compare(s.echo, a, b); std::is_neq(c)) return std::is_lt(c);
+  if (const auto c = compare(s.pulse_width, a, b); std::is_neq(c)) return std::is_lt(c);
+  if (const auto c = compare(s.flags, a, b); std::is_neq(c)) return std::is_lt(c);
+  if (const auto c = compare(s.label, a, b); std::is_neq(c)) return std::is_lt(c);
+  if (const auto c = compare(s.input_index, a, b); std::is_neq(c)) return std::is_lt(c);
   return a < b;
 }
 

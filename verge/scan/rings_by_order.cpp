@@ -47,8 +47,8 @@ bool set_direction(Track& track) {
   const float* const azimuth = track.azimuth.data();
   for (std::size_t k = 1; k < track.azimuth.size(); ++k) {
     const float step = to_step(azimuth[k] - azimuth[k - 1]);
-    forward += (step > 0.0F) & (step < kNear) ? 1U : 0U;
-    backward += (step < 0.0F) & (step > -kNear) ? 1U : 0U;
+    forward += static_cast<std::uint32_t>(step > 0.0F && step < kNear);
+    backward += static_cast<std::uint32_t>(step < 0.0F && step > -kNear);
   }
   if (10 * static_cast<std::size_t>(forward) > 9 * track.azimuth.size()) return true;
   for (float& a : track.azimuth) a = -a;

@@ -34,23 +34,29 @@ struct Surface {
 class Raster {
  public:
   explicit Raster(double reach, double heading_rad = 0.0)
-      : half_(static_cast<int>(std::ceil(reach / kCell))),
+      : half_(static_cast<std::size_t>(std::ceil(reach / kCell))),
         reach_(reach),
         along_{std::cos(heading_rad), std::sin(heading_rad)} {}
 
-  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(4 * half_ * half_); }
+  [[nodiscard]] std::size_t size() const { return 4 * half_ * half_; }
 
   /// The cell of (x, y), none where it does not count for the road's plane.
   [[nodiscard]] std::optional<std::size_t> cell(double x, double y) const {
     const double squared = x * x + y * y;
-    if (!(squared > kOwnVehicle * kOwnVehicle && squared < reach_ * reach_)) return std::nullopt;
-    const int column = static_cast<int>(std::floor(dot(along_, {x, y}) / kCell)) + half_;
-    const int row = static_cast<int>(std::floor(cross(along_, {x, y}) / kCell)) + half_;
-    return static_cast<std::size_t>(row * 2 * half_ + column);
+    const bool counts = squared > kOwnVehicle * kOwnVehicle && squared < reach_ * reach_;
+    if (!counts) return std::nullopt;
+    const std::size_t column = place(dot(along_, {x, y}));
+    const std::size_t row = place(cross(along_, {x, y}));
+    return row * 2 * half_ + column;
   }
 
  private:
-  int half_;
+  /// Cells from the raster's edge.
+  [[nodiscard]] std::size_t place(double metres) const {
+    return static_cast<std::size_t>(std::floor(metres / kCell) + static_cast<double>(half_));
+  }
+
+  std::size_t half_;
   double reach_;
   Vec2 along_;
 };

@@ -76,13 +76,7 @@ double height_over(const Layer& layer, std::size_t begin, Vec3 foot, const Gradi
 class FootFinder {
  public:
   FootFinder(const Layer& layer, std::size_t begin, std::size_t end)
-      : layer_(layer), begin_(begin), end_(end) {
-    constexpr double kFar = 1.25;  // metres of road before the step
-    first_ = begin;
-    for (double before = 0.0; first_ > 0; --first_) {
-      before += spacing(first_ - 1);
-      if (before > kFar) break;
-    }
+      : layer_(layer), first_(road_begin(layer, begin)), begin_(begin), end_(end) {
     double arc = 0.0;
     for (std::size_t i = first_; i < begin; ++i) arc -= spacing(i);
     for (std::size_t i = first_; i < end; ++i) {
@@ -101,6 +95,17 @@ class FootFinder {
   }
 
  private:
+  /// The first return of the road before the step.
+  [[nodiscard]] static std::size_t road_begin(const Layer& layer, std::size_t begin) {
+    constexpr double kFar = 1.25;  // metres
+    std::size_t first = begin;
+    for (double before = 0.0; first > 0; --first) {
+      before += distance(layer.points[first - 1].xy(), layer.points[first].xy());
+      if (before > kFar) break;
+    }
+    return first;
+  }
+
   /// From return i to the next one, in the plane.
   [[nodiscard]] double spacing(std::size_t i) const {
     return distance(layer_.points[i].xy(), layer_.points[i + 1].xy());

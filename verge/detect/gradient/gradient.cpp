@@ -17,7 +17,7 @@
 namespace verge::detect {
 namespace {
 
-using namespace gradient;
+using namespace gradient;  // NOLINT(google-build-using-namespace): the method's own steps, all of them
 
 /// II-1 (2): the gradient points of every layer.
 std::vector<GradientPoints> all_gradient_points(const std::vector<Layer>& layers,

@@ -39,12 +39,12 @@ struct Prefix {
 
 /// Height over arc length on the road's side of a return, as a straight line with its uncertainty.
 struct RoadSlope {
-  double arc_mean, height_mean, slope, variance, arc_spread;
+  double arc_mean, height_mean, arc_spread, slope = 0.0, variance = 0.0;
 
-  explicit RoadSlope(const Prefix::Sums& a) {
-    arc_mean = a.s / a.n;
-    height_mean = a.z / a.n;
-    arc_spread = std::max(a.ss - a.n * arc_mean * arc_mean, 0.0);
+  explicit RoadSlope(const Prefix::Sums& a)
+      : arc_mean(a.s / a.n),
+        height_mean(a.z / a.n),
+        arc_spread(std::max(a.ss - a.n * arc_mean * arc_mean, 0.0)) {
     const double cov = a.sz - a.n * arc_mean * height_mean;
     const double var = a.zz - a.n * height_mean * height_mean;
     slope = arc_spread > 0.0 ? std::clamp(cov / arc_spread, -kSlopeMax, kSlopeMax) : 0.0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/pcd.hpp"
+#include "verge/io/file/pcd.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "verge/io/format/pcd_header.hpp"
+#include "verge/io/file/pcd_header.hpp"
 #include "verge/io/source.hpp"
 #include "verge/io/test_files.hpp"
 #include "verge/scan/organise.hpp"

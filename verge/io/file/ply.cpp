@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/ply.hpp"
+#include "verge/io/file/ply.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,9 @@
 
 #include <fmt/core.h>
 
-#include "verge/io/format/columns.hpp"
-#include "verge/io/format/ply_header.hpp"
-#include "verge/io/format/rows.hpp"
+#include "verge/io/file/columns.hpp"
+#include "verge/io/file/ply_header.hpp"
+#include "verge/io/file/rows.hpp"
 #include "verge/io/text.hpp"
 
 namespace verge::io {

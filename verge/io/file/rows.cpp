@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/rows.hpp"
+#include "verge/io/file/rows.hpp"
 
 #include <string_view>
 #include <utility>

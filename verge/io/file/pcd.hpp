@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "verge/io/format/decoded.hpp"
+#include "verge/io/file/decoded.hpp"
 #include "verge/io/input.hpp"
 #include "verge/scan/scan.hpp"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "verge/io/format/columns.hpp"
+#include "verge/io/file/columns.hpp"
 #include "verge/io/input.hpp"
 #include "verge/io/text.hpp"
 

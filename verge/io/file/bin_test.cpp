@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "verge/io/format/floats.hpp"
-#include "verge/io/format/kitti.hpp"
-#include "verge/io/format/nuscenes.hpp"
+#include "verge/io/file/floats.hpp"
+#include "verge/io/file/kitti.hpp"
+#include "verge/io/file/nuscenes.hpp"
 #include "verge/io/source.hpp"
 #include "verge/io/test_files.hpp"
 #include "verge/scan/organise.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "verge/io/format/decoded.hpp"
+#include "verge/io/file/decoded.hpp"
 #include "verge/io/input.hpp"
 
 namespace verge::io {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/ply_header.hpp"
+#include "verge/io/file/ply_header.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/kitti.hpp"
+#include "verge/io/file/kitti.hpp"
 
 #include <fmt/core.h>
 
-#include "verge/io/format/floats.hpp"
+#include "verge/io/file/floats.hpp"
 
 namespace verge::io {
 namespace {

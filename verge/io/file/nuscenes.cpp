@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/nuscenes.hpp"
+#include "verge/io/file/nuscenes.hpp"
 
 #include <array>
 #include <cstring>
@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 
 #include "verge/core/atomic_file.hpp"
-#include "verge/io/format/floats.hpp"
+#include "verge/io/file/floats.hpp"
 
 namespace verge::io {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "verge/io/format/decoded.hpp"
+#include "verge/io/file/decoded.hpp"
 #include "verge/io/input.hpp"
 
 namespace verge::io {

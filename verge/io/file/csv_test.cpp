@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/csv.hpp"
+#include "verge/io/file/csv.hpp"
 
 #include <string>
 #include <vector>

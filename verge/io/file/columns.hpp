@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "verge/core/bytes.hpp"
-#include "verge/io/format/decoded.hpp"
+#include "verge/io/file/decoded.hpp"
 
 namespace verge::io {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/pcd.hpp"
+#include "verge/io/file/pcd.hpp"
 
 #include <array>
 #include <cstring>
@@ -11,10 +11,10 @@
 #include <fmt/core.h>
 
 #include "verge/core/atomic_file.hpp"
-#include "verge/io/format/columns.hpp"
-#include "verge/io/format/lzf.hpp"
-#include "verge/io/format/pcd_header.hpp"
-#include "verge/io/format/rows.hpp"
+#include "verge/io/file/columns.hpp"
+#include "verge/io/file/lzf.hpp"
+#include "verge/io/file/pcd_header.hpp"
+#include "verge/io/file/rows.hpp"
 #include "verge/io/text.hpp"
 
 namespace verge::io {

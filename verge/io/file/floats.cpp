@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/floats.hpp"
+#include "verge/io/file/floats.hpp"
 
 #include <algorithm>
 #include <cmath>

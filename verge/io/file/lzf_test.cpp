@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/lzf.hpp"
+#include "verge/io/file/lzf.hpp"
 
 #include <string>
 #include <vector>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "verge/io/format/columns.hpp"
+#include "verge/io/file/columns.hpp"
 #include "verge/io/input.hpp"
 #include "verge/io/text.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/io/format/csv.hpp"
+#include "verge/io/file/csv.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 
 #include <fmt/core.h>
 
-#include "verge/io/format/columns.hpp"
-#include "verge/io/format/rows.hpp"
+#include "verge/io/file/columns.hpp"
+#include "verge/io/file/rows.hpp"
 #include "verge/io/text.hpp"
 
 namespace verge::io {
