@@ -72,7 +72,7 @@ TEST(RecordingSource, TheFramesAskedForKeepTheirNames) {
   OpenOptions options;
   options.frames_begin = 1;
   options.frames_end = 3;
-  EXPECT_EQ(all_of(*listed({1, kDamaged, 2, 3, kDamaged, 4}, options)), "000001:2 000002:3");
+  EXPECT_EQ(all_of(*listed({kDamaged, 1, 2, 3, kDamaged, 4}, options)), "000001:2 000002:3");
   options.frames_begin = 9;
   options.frames_end.reset();
   EXPECT_EQ(all_of(*listed({1, 2}, options)), "");
