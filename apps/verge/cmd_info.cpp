@@ -50,6 +50,7 @@ ExitCode info(const InfoRequest& request) {
     ++facts.counts.damaged;
     if (!first_error) first_error = next.error();
   }
+  facts.counters = inputs->counters();
   if (inputs->format()) facts.format = name_of(*inputs->format());
   const ExitCode code = exit_code_of(first_error, facts.counts, request.damage);
   if (code == ExitCode::kOk || code == ExitCode::kDamaged) warn_of_damage(facts.counts, console);

@@ -145,7 +145,7 @@ class Job {
   Inputs& inputs_;
   Output& output_;
   const std::optional<Pictures>& pictures_;
-  std::size_t total_;
+  std::optional<std::size_t> total_;
   Clock::time_point begin_ = Clock::now();
   bool is_first_ = true;
 };

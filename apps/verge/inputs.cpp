@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <utility>
 
@@ -11,6 +12,8 @@
 #include <unistd.h>
 
 #include "verge/core/field_io.hpp"
+#include "verge/io/input.hpp"
+#include "verge/io/sniff.hpp"
 #include "verge/model/scene.hpp"
 
 namespace verge::app {
@@ -33,12 +36,39 @@ Expected<io::OpenOptions> options_of(const InputRequest& request, const Log& log
   io::OpenOptions options;
   options.memory_max_bytes = request.max_mem_mib << 20U;
   options.log = log;
+  options.topic = request.topic;
+  options.sensor_ip = request.sensor_ip;
+  options.model = request.model;
+  if (request.calibration) options.calibration = *request.calibration;
   if (!request.format) return options;
   options.format = value_named<io::Format>(*request.format);
   if (options.format) return options;
   return Unexpected(
       usage_error(fmt::format("--format {}", *request.format),
                   fmt::format("no such format (known: {})", fmt::join(enum_names<io::Format>, ", "))));
+}
+
+/// Scans in one file; none where only reading it tells.
+std::optional<std::size_t> scans_in_file(const std::string& path, const io::OpenOptions& options) {
+  if (!std::filesystem::is_regular_file(path)) return std::nullopt;
+  if (options.format)
+    return io::holds_many_scans(*options.format) ? std::nullopt : std::optional<std::size_t>(1);
+  auto input = io::Input::open(path, {options.memory_max_bytes, options.timeout_ms});
+  const auto format = input ? io::sniff(*input) : Unexpected(input.error());
+  // What no format fits is one damaged scan, said when its turn comes.
+  return format && io::holds_many_scans(*format) ? std::nullopt : std::optional<std::size_t>(1);
+}
+
+void add_up(std::vector<io::Counter>& all, const std::vector<io::Counter>& more) {
+  for (const io::Counter& counter : more) {
+    const auto same =
+        std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.name == counter.name; });
+    if (same == all.end()) {
+      all.push_back(counter);
+    } else {
+      same->count += counter.count;
+    }
+  }
 }
 
 std::string path_of(const std::string& argument) { return argument == "-" ? "/dev/stdin" : argument; }
@@ -61,11 +91,14 @@ Expected<Inputs::Part> Inputs::look_at(const std::string& path, const io::OpenOp
   Part part;
   part.path = path;
   const bool is_folder = std::filesystem::is_directory(path, ignored);
-  if (!is_folder && ::access(path.c_str(), R_OK) == 0) return part;
+  if (!is_folder && ::access(path.c_str(), R_OK) == 0) {
+    part.count = scans_in_file(path, options);
+    return part;
+  }
   auto source = io::open(path, options);
   if (!source) return Unexpected(std::move(source).error());
   part.source = *std::move(source);
-  part.count = part.end = part.source->info().files.size();
+  part.count = part.source->info().scans;
   return part;
 }
 
@@ -77,38 +110,60 @@ Expected<Inputs> Inputs::open(const InputRequest& request, const Log& log) {
   if (!options) return Unexpected(std::move(options).error());
   Inputs inputs;
   inputs.options_ = *std::move(options);
-  std::size_t count = 0;
   const bool whole = range->begin == 0 && !range->end;
   io::OpenOptions looking = inputs.options_;
   if (!whole) looking.log = {};  // the frames asked for are opened anew and say what there is to say
   for (const std::string& path : request.paths) {
     auto part = look_at(path_of(path), looking);
     if (!part) return Unexpected(std::move(part).error());
-    count += part->count;
     inputs.parts_.push_back(*std::move(part));
   }
-  inputs.keep(*range);
-  if (inputs.total_ > 0) return inputs;
-  return Unexpected(usage_error(fmt::format("--frames {}", request.frames),
-                                fmt::format("is past the last of {} scans", count)));
+  if (whole) return inputs;
+  if (auto kept = inputs.keep(*range); !kept) return Unexpected(std::move(kept).error());
+  return inputs;
 }
 
 /// Leaves of every part what lies in the range, counted over all parts.
-void Inputs::keep(const FrameRange& range) {
-  const bool whole = range.begin == 0 && !range.end;
+Expected<void> Inputs::keep(const FrameRange& range) {
+  const std::string place =
+      fmt::format("--frames {}:{}", range.begin, range.end ? fmt::to_string(*range.end) : "");
   std::deque<Part> kept;
   std::size_t before = 0;
   for (Part& part : parts_) {
-    const std::size_t after = before + part.count;
-    part.begin = std::clamp(range.begin, before, after) - before;
-    part.end = std::clamp(range.end.value_or(after), before, after) - before;
-    before = after;
-    if (part.begin >= part.end) continue;
-    if (!whole) part.source.reset();
-    total_ += part.end - part.begin;
-    kept.push_back(std::move(part));
+    if (!part.count && parts_.size() > 1) {
+      return Unexpected(usage_error(place, "scans are counted in one recording at a time: name one"));
+    }
+    part.source.reset();
+    const std::size_t begin = before;
+    before += part.count.value_or(0);
+    part.begin = std::max(range.begin, begin) - begin;
+    if (range.end) part.end = std::max(*range.end, begin) - begin;
+    const std::size_t end = std::min(part.end.value_or(SIZE_MAX), part.count.value_or(SIZE_MAX));
+    if (part.begin < end) kept.push_back(std::move(part));
   }
   parts_ = std::move(kept);
+  if (!parts_.empty()) return {};
+  return Unexpected(usage_error(place, fmt::format("is past the last of {} scans", before)));
+}
+
+std::optional<std::size_t> Inputs::total() const {
+  std::size_t total = 0;
+  for (const Part& part : parts_) {
+    if (!part.count) return std::nullopt;
+    total += std::min(part.end.value_or(*part.count), *part.count) - part.begin;
+  }
+  return total;
+}
+
+std::vector<io::Counter> Inputs::counters() const {
+  std::vector<io::Counter> all = counters_;
+  if (!parts_.empty() && parts_.front().source) add_up(all, parts_.front().source->counters());
+  return all;
+}
+
+void Inputs::done_with_part() {
+  counters_ = counters();
+  parts_.pop_front();
 }
 
 Expected<void> Inputs::ready(Part& part) {
@@ -132,7 +187,7 @@ Expected<std::optional<Scan>> Inputs::next() {
     format_ = source.info().format;
     auto scan = source.next();
     if (!scan || *scan) return scan;
-    parts_.pop_front();
+    done_with_part();
   }
   return std::optional<Scan>{};
 }

@@ -13,6 +13,7 @@
 
 #include "verge/core/error.hpp"
 #include "verge/core/log.hpp"
+#include "verge/io/recording.hpp"
 #include "verge/io/source.hpp"
 
 namespace verge::app {
@@ -30,6 +31,10 @@ struct FrameRange {
 struct InputRequest {
   std::vector<std::string> paths;  ///< Files and folders; "-" is standard input.
   std::optional<std::string> format;
+  std::optional<std::string> topic;
+  std::optional<std::string> sensor_ip;
+  std::optional<std::string> model;
+  std::optional<std::string> calibration;
   std::string frames = ":";
   std::uint64_t max_mem_mib = 1024;
 };
@@ -45,8 +50,11 @@ class Inputs {
   /// As io::Source::next(); a file that cannot be opened after all counts as a damaged scan.
   [[nodiscard]] Expected<std::optional<Scan>> next();
 
-  /// Scans to come, damaged ones included, before the first next().
-  [[nodiscard]] std::size_t total() const { return total_; }
+  /// Scans to come, damaged ones included, before the first next(); none where a recording does not say how
+  /// many it holds.
+  [[nodiscard]] std::optional<std::size_t> total() const;
+  /// What the recordings' packets, messages and bytes came to so far, names added up over all of them.
+  [[nodiscard]] std::vector<io::Counter> counters() const;
   /// Of the input that next() read last.
   [[nodiscard]] std::optional<io::Format> format() const { return format_; }
 
@@ -54,20 +62,21 @@ class Inputs {
   /// A folder is listed when it is made, a file opened when it is read.
   struct Part {
     std::string path;
-    std::size_t count = 1;
+    std::optional<std::size_t> count = 1;  ///< Scans in it; none: not known before it was read.
     std::size_t begin = 0;
-    std::size_t end = 1;
+    std::optional<std::size_t> end;  ///< None: to the last.
     std::unique_ptr<io::Source> source;
   };
 
   Inputs() = default;
   [[nodiscard]] static Expected<Part> look_at(const std::string& path, const io::OpenOptions& options);
-  void keep(const FrameRange& range);
+  [[nodiscard]] Expected<void> keep(const FrameRange& range);
+  void done_with_part();
   [[nodiscard]] Expected<void> ready(Part& part);
 
   io::OpenOptions options_;
   std::deque<Part> parts_;
-  std::size_t total_ = 0;
+  std::vector<io::Counter> counters_;  // of the parts that are done
   std::optional<io::Format> format_;
 };
 

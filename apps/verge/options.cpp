@@ -6,13 +6,23 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace verge::app {
 
 void add_input_options(CLI::App& verb, InputRequest& request) {
   verb.add_option("SCANS", request.paths, "files or folders of scans; - is standard input");
-  verb.add_option("--format", request.format, "read as kitti, nuscenes, pcd, ply or csv instead of guessing")
+  verb.add_option(
+          "--format", request.format,
+          fmt::format("read as this instead of guessing: {}", fmt::join(enum_names<io::Format>, ", ")))
       ->type_name("F");
+  verb.add_option("--topic", request.topic, "of a bag with scans on several topics")->type_name("T");
+  verb.add_option("--sensor-ip", request.sensor_ip, "of a capture with packets of several sensors")
+      ->type_name("ADDRESS");
+  verb.add_option("--model", request.model, "of the sensor, where its packets do not say it")->type_name("M");
+  verb.add_option("--calibration", request.calibration,
+                  "angles of the sensor's lasers, in the form of its drivers")
+      ->type_name("FILE");
   verb.add_option("--frames", request.frames,
                   "only the scans A to B - 1, counted from 0; either may be missing")
       ->type_name("A:B");

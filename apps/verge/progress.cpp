@@ -29,12 +29,15 @@ std::string clock_of(double seconds) {
 
 }  // namespace
 
-std::string progress_line(std::size_t done, std::size_t total, double seconds) {
-  const std::string head = fmt::format("[{}] {}/{} scans", bar(done, total), done, total);
+std::string progress_line(std::size_t done, std::optional<std::size_t> total, double seconds) {
+  const std::string head = total ? fmt::format("[{}] {}/{} scans", bar(done, *total), done, *total)
+                                 : fmt::format("{} scans", done);
   if (done == 0 || !(seconds > 0.0)) return head;
   const double rate = static_cast<double>(done) / seconds;
-  const double left = static_cast<double>(total - std::min(done, total)) / rate;
-  return fmt::format("{}  {:.1f} scans/s  ETA {}", head, rate, clock_of(left));
+  const std::string with_rate = fmt::format("{}  {:.1f} scans/s", head, rate);
+  if (!total) return with_rate;
+  const double left = static_cast<double>(*total - std::min(done, *total)) / rate;
+  return fmt::format("{}  ETA {}", with_rate, clock_of(left));
 }
 
 }  // namespace verge::app

@@ -190,6 +190,7 @@ std::string to_text(const RecordingFacts& facts) {
               fmt::format("x, y, z{}{}", facts.fields.empty() ? "" : ", ", fmt::join(facts.fields, ", ")));
   text += row("time", time_text(facts));
   text += row("mount", mount_text(facts));
+  for (const io::Counter& c : facts.counters) text += row("counted", fmt::format("{} {}", c.count, c.name));
   for (const std::string& note : facts.notes) text += row("note", escape_control_bytes(note));
   return text;
 }
@@ -217,6 +218,8 @@ std::string to_json(const RecordingFacts& facts) {
                    {"pitch_deg", extent_json(degrees(facts.mounts, &Mount::pitch_rad))},
                    {"roll_deg", extent_json(degrees(facts.mounts, &Mount::roll_rad))},
                    {"forward_deg", extent_json(degrees(facts.mounts, &Mount::forward_rad))}};
+  json["counters"] = Json::object();
+  for (const io::Counter& counter : facts.counters) json["counters"][counter.name] = counter.count;
   json["notes"] = facts.notes;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "verge/io/recording.hpp"
 #include "verge/pipeline/summary.hpp"
 #include "verge/scan/scan.hpp"
 
@@ -31,8 +32,9 @@ struct RecordingFacts {
   std::set<std::string> fields;          ///< What the scans carry beside x, y, z.
   std::optional<std::int64_t> first_ns;  ///< Time of the first scan that has one.
   std::optional<std::int64_t> last_ns;
-  std::vector<Mount> mounts;       ///< Where a road surface was found.
-  std::vector<std::string> notes;  ///< What the reader had to say.
+  std::vector<Mount> mounts;          ///< Where a road surface was found.
+  std::vector<io::Counter> counters;  ///< Of the recording's packets, messages and bytes.
+  std::vector<std::string> notes;     ///< What the reader had to say.
 };
 
 /// Adds what a scan shows.

@@ -191,7 +191,8 @@ struct Problem {
 /// `iteration` on.
 std::optional<WeightedCurve> solve_round(const Problem& problem, const Stations& stations,
                                          std::vector<double> start, int iteration) {
-  const auto& [points, weights, options] = problem;
+  const std::span<const Vec2> points = problem.points;
+  const SplineFitOptions& options = problem.options;
   const std::size_t degree = std::min(options.degree, points.size() - 1);
   const std::size_t count = control_point_count(stations.length_m, degree, points.size(), options.span_m);
   const Design at = design(knots_for(stations.u, count, degree, options.knots), degree, stations.u);
@@ -200,8 +201,8 @@ std::optional<WeightedCurve> solve_round(const Problem& problem, const Stations&
   WeightedCurve best = *std::move(first);
   for (int i = iteration; i < options.robust->start_iterations + options.robust->iterations; ++i) {
     const auto residuals = normal_residuals(best.curve, at, points);
-    auto next =
-        solve_with(at, points, robust_weights(i, residuals, weights, *options.robust), options.penalty);
+    auto weights = robust_weights(i, residuals, problem.weights, *options.robust);
+    auto next = solve_with(at, points, std::move(weights), options.penalty);
     if (!next) break;  // too few points still weigh something: the curve before stands
     best = *std::move(next);
   }

@@ -143,6 +143,18 @@ Expected<std::unique_ptr<Source>> open_file(const fs::path& path, const OpenOpti
 
 }  // namespace
 
+bool holds_many_scans(Format format) {
+  switch (format) {
+    case Format::kKitti:
+    case Format::kNuscenes:
+    case Format::kPcd:
+    case Format::kPly:
+    case Format::kCsv:
+      break;
+  }
+  return false;
+}
+
 Expected<std::unique_ptr<Source>> open(const fs::path& path, const OpenOptions& options) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {

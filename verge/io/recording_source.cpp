@@ -53,8 +53,8 @@ Scan RecordingSource::scan_of(Decoded decoded) {
   scan.frame = fmt::format("{:06}", next_);
   if (!decoded.frame_id.empty()) scan.frame_id = std::move(decoded.frame_id);
   if (decoded.stamp_ns) scan.stamp_ns = decoded.stamp_ns;
-  scan.motion = std::move(decoded.motion);
-  scan.T_world_sensor = std::move(decoded.T_world_sensor);
+  scan.motion = decoded.motion;
+  scan.T_world_sensor = decoded.T_world_sensor;
   return scan;
 }
 

@@ -34,6 +34,9 @@ inline constexpr std::array enum_names<io::Format> =
 
 namespace verge::io {
 
+/// Whether one file of the format holds many scans.
+[[nodiscard]] bool holds_many_scans(Format format);
+
 /// How to open a recording.
 struct OpenOptions {
   std::optional<Format> format{};  ///< None: guessed from the content, then the name.

@@ -81,7 +81,7 @@ void render(Item& item, const Ends& ends) {
 /// The serial ends of the run and what they remember; the stages between hold no state.
 class Run {
  public:
-  Run(const Ends& ends, const Options& options, const std::atomic<bool>& stop) : ends_(ends), stop_(stop) {}
+  Run(const Ends& ends, const std::atomic<bool>& stop) : ends_(ends), stop_(stop) {}
 
   /// The next scan, or null where the run ends.
   [[nodiscard]] ItemPtr read() {
@@ -191,7 +191,7 @@ tbb::filter<void, void> chain(Run& state, const Ends& ends, detect::Detector& de
 Expected<Summary> run(const Ends& ends, detect::Detector& detector, const Options& options,
                       const std::atomic<bool>& stop) {
   const std::size_t threads = thread_count(options);
-  Run state(ends, options, stop);
+  Run state(ends, stop);
   // More threads than the machine has must be asked for; for the time of this run only.
   const std::size_t most = std::max(threads, tbb::global_control::active_value(kParallelism));
   const tbb::global_control allowed(kParallelism, most);
