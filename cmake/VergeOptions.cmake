@@ -6,7 +6,9 @@ add_library(verge_options INTERFACE)
 target_compile_features(verge_options INTERFACE cxx_std_20)
 target_compile_options(verge_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
-  -Wold-style-cast -Wcast-align -Wdouble-promotion -Wformat=2
+  -Wold-style-cast -Wcast-align -Wformat=2
+  # clang's also warns of a float in Vec3{x, y, z}, which is meant.
+  $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion>
   # Same bytes out on every machine: no fused multiply-add behind our back.
   -ffp-contract=off)
 # The loops over points test for NaN themselves; letting the compiler assume that comparisons do not trap and that

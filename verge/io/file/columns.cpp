@@ -134,11 +134,14 @@ struct TimeUnit {
   std::int64_t nanoseconds = 1'000'000'000;
 };
 
-/// By size: a time since 1973 in nanoseconds, microseconds, milliseconds or seconds, or seconds of a scan.
+/// By size: a time since 1970 in nanoseconds, microseconds, milliseconds or seconds (these since 1973), or
+/// seconds of a scan. What would lie after 2262 in a unit is counted in the next smaller one: 64 bits of
+/// nanoseconds end there.
 TimeUnit unit_of(double greatest) {
-  if (greatest > kAbsoluteNanoseconds) return {true, 1};
-  if (greatest > kAbsoluteNanoseconds * 1e-3) return {true, 1'000};
-  if (greatest > kAbsoluteNanoseconds * 1e-6) return {true, 1'000'000};
+  constexpr double kLastNanosecond = 9.2e18;
+  for (const std::int64_t unit : {1'000, 1'000'000, 1'000'000'000}) {
+    if (greatest > kLastNanosecond / static_cast<double>(unit)) return {true, unit / 1'000};
+  }
   if (greatest > kAbsoluteNanoseconds * 1e-9) return {true, 1'000'000'000};
   return {};
 }

@@ -17,7 +17,9 @@
 namespace verge::io {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::DoubleNear;
+using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
@@ -120,6 +122,18 @@ TEST(Times, DoublesTellTheirUnitByTheirSize) {
     ASSERT_TRUE(out.stamp_ns) << unit;
     EXPECT_EQ(*out.stamp_ns, 1'700'000'000'000'000'000) << unit;
     EXPECT_THAT(out.cloud.time_s, ElementsAre(DoubleNear(0.05, 1e-6), 0.0, 0.0)) << unit;
+  }
+}
+
+// Found by fuzzing: seconds of the year 3075 did not fit 64 bits of nanoseconds.
+TEST(Times, AnySizeFitsSomeUnit) {
+  for (double greatest = 1.0; greatest < 9e18; greatest *= 1.7) {
+    Decoded out;
+    set_times(std::vector<double>{greatest, greatest}, Scalar::kF64, out);
+    EXPECT_THAT(out.cloud.time_s, Each(AnyOf(0.0, greatest))) << greatest;
+    if (out.stamp_ns) {
+      EXPECT_GT(*out.stamp_ns, 0) << greatest;
+    }
   }
 }
 

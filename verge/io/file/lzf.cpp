@@ -12,11 +12,12 @@ constexpr unsigned kLongCopy = 7;
 
 /// Byte by byte where source and target overlap: that is how LZF repeats a pattern.
 void copy_back(std::byte* target, std::size_t distance, std::size_t length) {
+  const std::byte* const source = target - distance;
   if (distance >= length) {
-    std::memcpy(target, target - distance, length);
+    std::memcpy(target, source, length);
     return;
   }
-  for (std::size_t i = 0; i < length; ++i) target[i] = target[i - distance];
+  for (std::size_t i = 0; i < length; ++i) target[i] = source[i];
 }
 
 }  // namespace

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/fuzz/file_format.hpp"
+
+namespace verge::fuzz {
+
+std::vector<std::string> seeds() { return files_with_suffix(".pcd", faults::bad_inputs_pcd()); }
+
+void check(Bytes input) { check_file(input, io::Format::kPcd); }
+
+}  // namespace verge::fuzz
