@@ -16,6 +16,7 @@ namespace verge::app {
 using Action = std::function<ExitCode()>;
 
 // Each adds its verb to the program and sets the action when that verb is chosen.
+void add_convert(CLI::App& program, Action& action);
 void add_detect(CLI::App& program, Action& action);
 void add_evaluate(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);

@@ -23,13 +23,14 @@ namespace {
 
 /// Every verb; a new one is one more here and in commands.hpp.
 constexpr std::array kVerbs{
-    add_detect, add_evaluate, add_info, add_methods, add_simulate,
+    add_convert, add_detect, add_evaluate, add_info, add_methods, add_simulate,
 };
 
 constexpr const char* kExamples =
     "Examples:\n"
     "  verge info drive/velodyne                        # what is in these files?\n"
     "  verge detect drive/velodyne -o boundaries.jsonl  # where are the road's edges?\n"
+    "  verge convert drive/velodyne drive_ply --to ply  # the same scans in another format\n"
     "  verge methods gradient                           # which settings are there?\n"
     "  verge simulate made-up                           # a drive whose boundaries are known\n"
     "  verge evaluate boundaries.jsonl --truth made-up/truth.jsonl  # how far from the truth?\n"

@@ -12,6 +12,10 @@ namespace verge::app {
 
 void add_input_options(CLI::App& verb, InputRequest& request) {
   verb.add_option("SCANS", request.paths, "files or folders of scans; - is standard input");
+  add_recording_options(verb, request);
+}
+
+void add_recording_options(CLI::App& verb, InputRequest& request) {
   verb.add_option(
           "--format", request.format,
           fmt::format("read as this instead of guessing: {}", fmt::join(enum_names<io::Format>, ", ")))

@@ -7,7 +7,7 @@ import unittest
 
 from verge_cli import CliTest, run
 
-VERBS = ("detect", "evaluate", "info", "methods", "simulate")
+VERBS = ("convert", "detect", "evaluate", "info", "methods", "simulate")
 
 
 class Help(CliTest):
@@ -55,7 +55,7 @@ class Help(CliTest):
 
     def test_a_misspelled_verb_or_method_is_told_its_likely_name(self):
         self.check_refused(run("detct"), 2, "did you mean 'detect'?")
-        self.check_refused(run("paint"), 2, "known: detect")
+        self.check_refused(run("paint"), 2, "known: convert, detect")
         self.check_refused(run("methods", "gradeint"), 2, "did you mean 'gradient'?")
 
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -182,15 +181,6 @@ std::vector<std::size_t> kitti_rows(const std::vector<fs::path>& files, std::siz
   numbers.resize(rows);
   for (std::size_t i = 0; i < rows; ++i) numbers[i] = i;
   return numbers;
-}
-
-std::optional<std::int64_t> parse_seconds(std::string_view text) {
-  WordReader words(text, 1);
-  const auto word = words.next();
-  const auto seconds = word ? parse_number<double>(word->text) : std::nullopt;
-  if (!seconds || !(std::fabs(*seconds) < 9e9) || words.next()) return std::nullopt;
-  const double whole = std::floor(*seconds);
-  return static_cast<std::int64_t>(whole) * kSecond + std::llround((*seconds - whole) * 1e9);
 }
 
 std::optional<std::int64_t> parse_date_time(std::string_view text) {

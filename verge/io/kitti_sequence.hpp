@@ -37,8 +37,6 @@ struct KittiSequence {
 [[nodiscard]] std::vector<std::size_t> kitti_rows(const std::vector<std::filesystem::path>& files,
                                                   std::size_t rows);
 
-/// Seconds with decimals or exponent ("1.036224e-01") as nanoseconds. None: no time.
-[[nodiscard]] std::optional<std::int64_t> parse_seconds(std::string_view text);
 /// "2011-09-26 13:02:25.594360375" in UTC as nanoseconds since the Unix epoch. None: no time.
 [[nodiscard]] std::optional<std::int64_t> parse_date_time(std::string_view text);
 

@@ -159,13 +159,6 @@ TEST(KittiRows, AreTheNumbersOfTheNamesOrThePlaces) {
   EXPECT_THAT(kitti_rows({"000003.bin"}, 0), IsEmpty());
 }
 
-TEST(ParseSeconds, KeepsNanoseconds) {
-  EXPECT_EQ(parse_seconds("1.036224e-01"), 103'622'400);
-  EXPECT_EQ(parse_seconds("1700000000.5"), 1'700'000'000'500'000'000);
-  EXPECT_EQ(parse_seconds("-0.5"), -500'000'000);
-  for (const char* text : {"", "x", "1 2", "nan", "1e300"}) EXPECT_FALSE(parse_seconds(text)) << text;
-}
-
 TEST(ParseDateTime, IsUtc) {
   EXPECT_EQ(parse_date_time("1970-01-01 00:00:00"), 0);
   EXPECT_EQ(parse_date_time("2000-02-29 23:59:59.25"), 951'868'799'250'000'000);

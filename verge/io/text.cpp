@@ -3,6 +3,7 @@
 #include "verge/io/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
@@ -48,6 +49,38 @@ std::string quoted(std::string_view text) {
   constexpr std::size_t kMost = 40;
   if (text.size() <= kMost) return fmt::format("'{}'", text);
   return fmt::format("'{}...'", text.substr(0, kMost));
+}
+
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+/// "12.345678901", without sign or exponent; none for any other text.
+std::optional<std::int64_t> parse_decimal_seconds(std::string_view text) {
+  constexpr std::size_t kDecimals = 9;
+  const std::size_t point = std::min(text.find('.'), text.size());
+  std::string digits(text.substr(std::min(point + 1, text.size())));
+  const bool plain = text.find_first_not_of("0123456789.") == std::string_view::npos;
+  if (!plain || point > kDecimals + 1 || digits.size() > kDecimals) return std::nullopt;
+  digits.resize(kDecimals, '0');
+  const auto whole = parse_number<std::int64_t>(text.substr(0, point));
+  const auto fraction = parse_number<std::int64_t>(digits);
+  if (!whole || !fraction) return std::nullopt;
+  return *whole < kSecond * 9 ? std::optional(*whole * kSecond + *fraction) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> parse_seconds(std::string_view text) {
+  WordReader words(text, 1);
+  const auto word = words.next();
+  if (!word || words.next()) return std::nullopt;
+  if (const auto exact = parse_decimal_seconds(word->text)) return exact;
+  const auto seconds = parse_number<double>(word->text);
+  if (!seconds || !(std::fabs(*seconds) < 9e9)) return std::nullopt;
+  const double floor = std::floor(*seconds);
+  return static_cast<std::int64_t>(floor) * kSecond +
+         std::llround((*seconds - floor) * static_cast<double>(kSecond));
 }
 
 }  // namespace verge::io

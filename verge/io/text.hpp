@@ -89,4 +89,8 @@ template <class T>
 /// A piece of text for an error: no longer than fits a line.
 [[nodiscard]] std::string quoted(std::string_view text);
 
+/// Seconds with decimals or exponent ("1.036224e-01") as nanoseconds: exact with up to nine decimals and no
+/// exponent. None: no time.
+[[nodiscard]] std::optional<std::int64_t> parse_seconds(std::string_view text);
+
 }  // namespace verge::io

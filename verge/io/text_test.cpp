@@ -19,6 +19,16 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
+TEST(ParseSeconds, KeepsNanoseconds) {
+  EXPECT_EQ(parse_seconds("1.036224e-01"), 103'622'400);
+  EXPECT_EQ(parse_seconds("1700000000.5"), 1'700'000'000'500'000'000);
+  EXPECT_EQ(parse_seconds("1700000000.123456789"), 1'700'000'000'123'456'789);  // more than a double holds
+  EXPECT_EQ(parse_seconds("-0.5"), -500'000'000);
+  EXPECT_EQ(parse_seconds(" 12.000000001 "), 12'000'000'001);
+  EXPECT_EQ(parse_seconds("12"), 12'000'000'000);
+  for (const char* text : {"", "x", "1 2", "nan", "1e300"}) EXPECT_FALSE(parse_seconds(text)) << text;
+}
+
 }  // namespace
 
 TEST(LineReader, EndsAreLfCrLfOrCr) {

@@ -177,14 +177,9 @@ std::string note_of(const Organised& organised, const std::string& remark, bool 
   return note;
 }
 
-std::vector<std::int64_t> ring_column(const Scan& scan) {
-  std::vector<std::int64_t> column(scan.size());
-  for (std::size_t r = 0; r < scan.ring_count(); ++r) {
-    const auto [begin, end] = scan.ring(r);
-    std::fill(column.begin() + static_cast<std::ptrdiff_t>(begin),
-              column.begin() + static_cast<std::ptrdiff_t>(end), static_cast<std::int64_t>(r));
-  }
-  return column;
+std::vector<std::int64_t> whole_ring_column(const Scan& scan) {
+  const std::vector<std::uint32_t> ring = ring_of_points(scan);
+  return {ring.begin(), ring.end()};
 }
 
 std::vector<double> time_column(const Scan& scan) {
@@ -222,7 +217,17 @@ Organised organise(Cloud cloud) {
   return organised;
 }
 
-Cloud flatten(const Scan& scan) {
+std::vector<std::uint32_t> ring_of_points(const Scan& scan) {
+  std::vector<std::uint32_t> ring(scan.size());
+  for (std::size_t r = 0; r < scan.ring_count(); ++r) {
+    const auto [begin, end] = scan.ring(r);
+    std::fill(ring.begin() + static_cast<std::ptrdiff_t>(begin),
+              ring.begin() + static_cast<std::ptrdiff_t>(end), static_cast<std::uint32_t>(r));
+  }
+  return ring;
+}
+
+std::vector<std::uint32_t> input_order(const Scan& scan) {
   std::vector<std::uint32_t> order(scan.size());
   std::iota(order.begin(), order.end(), 0U);
   if (!scan.input_index.empty()) {
@@ -230,11 +235,16 @@ Cloud flatten(const Scan& scan) {
       return scan.input_index[a] < scan.input_index[b];
     });
   }
+  return order;
+}
+
+Cloud flatten(const Scan& scan) {
+  const std::vector<std::uint32_t> order = input_order(scan);
   Cloud cloud{.x = gather(scan.x, order),
               .y = gather(scan.y, order),
               .z = gather(scan.z, order),
               .intensity = gather(scan.intensity, order),
-              .ring = gather(ring_column(scan), order),
+              .ring = gather(whole_ring_column(scan), order),
               .time_s = gather(time_column(scan), order),
               .echo = gather(scan.echo, order),
               .pulse_width = gather(scan.pulse_width, order),

@@ -57,6 +57,12 @@ struct Organised {
 /// empty one has no rings.
 [[nodiscard]] Organised organise(Cloud cloud);
 
+/// The ring of each point.
+[[nodiscard]] std::vector<std::uint32_t> ring_of_points(const Scan& scan);
+
+/// Indices of the scan's points in the order of the input; a scan without input_index keeps its own order.
+[[nodiscard]] std::vector<std::uint32_t> input_order(const Scan& scan);
+
 /// The points back in the input's order, bit for bit (dropped ones are missing), with the scan's own ring
 /// numbers; times to the nanosecond. A scan without input_index keeps its own order.
 [[nodiscard]] Cloud flatten(const Scan& scan);

@@ -19,7 +19,7 @@ constexpr double kNoTimeShare = 0.5;  // of the latest absolute time: what lies 
 constexpr double kSecondsPerNanosecond = 1e-9;
 
 /// Names in order of preference.
-constexpr std::array<std::pair<std::string_view, Role>, 24> kNames{{{"x", Role::kX},
+constexpr std::array<std::pair<std::string_view, Role>, 29> kNames{{{"x", Role::kX},
                                                                     {"y", Role::kY},
                                                                     {"z", Role::kZ},
                                                                     {"intensity", Role::kIntensity},
@@ -42,7 +42,12 @@ constexpr std::array<std::pair<std::string_view, Role>, 24> kNames{{{"x", Role::
                                                                     {"stamps", Role::kTime},
                                                                     {"offset_time", Role::kTime},
                                                                     {"label", Role::kLabel},
-                                                                    {"labels", Role::kLabel}}};
+                                                                    {"labels", Role::kLabel},
+                                                                    {"echo", Role::kEcho},
+                                                                    {"return_number", Role::kEcho},
+                                                                    {"pulse_width", Role::kPulseWidth},
+                                                                    {"echo_width", Role::kPulseWidth},
+                                                                    {"flags", Role::kFlags}}};
 
 std::string plain_name(std::string_view name) {
   constexpr std::string_view kPrefix = "scalar_";
@@ -155,6 +160,16 @@ std::int64_t nanoseconds_of(double value, const TimeUnit& unit) {
          std::llround((value - whole) * static_cast<double>(unit.nanoseconds));
 }
 
+/// What T cannot hold becomes 0.
+template <class T>
+std::vector<T> whole_numbers(std::span<const double> values) {
+  constexpr double kMax = std::numeric_limits<T>::max();
+  std::vector<T> whole(values.size());
+  std::transform(values.begin(), values.end(), whole.begin(),
+                 [](double value) { return value >= 0 && value <= kMax ? static_cast<T>(value) : T{0}; });
+  return whole;
+}
+
 }  // namespace
 
 std::size_t size_of(Scalar type) {
@@ -186,6 +201,8 @@ std::vector<float>* CloudBuilder::floats_of(Role role) {
       return &out_.cloud.z;
     case Role::kIntensity:
       return &out_.cloud.intensity;
+    case Role::kPulseWidth:
+      return &out_.cloud.pulse_width;
     default:
       return nullptr;
   }
@@ -219,12 +236,10 @@ void CloudBuilder::add(Role role, std::span<const double> values, Scalar type) {
     set_rings(values);
   } else if (role == Role::kTime) {
     set_times(values, type, out_);
+  } else if (role == Role::kEcho) {
+    out_.cloud.echo = whole_numbers<std::uint8_t>(values);
   } else {
-    constexpr double kMax = std::numeric_limits<std::uint32_t>::max();
-    out_.cloud.label.resize(points_);
-    std::transform(values.begin(), values.end(), out_.cloud.label.begin(), [](double value) {
-      return value >= 0 && value <= kMax ? static_cast<std::uint32_t>(value) : 0U;
-    });
+    (role == Role::kLabel ? out_.cloud.label : out_.cloud.flags) = whole_numbers<std::uint32_t>(values);
   }
 }
 

@@ -33,8 +33,8 @@ struct Column {
 };
 
 /// What a field means to us.
-enum class Role : std::uint8_t { kX, kY, kZ, kIntensity, kRing, kTime, kLabel };
-inline constexpr std::size_t kRoles = 7;
+enum class Role : std::uint8_t { kX, kY, kZ, kIntensity, kRing, kTime, kLabel, kEcho, kPulseWidth, kFlags };
+inline constexpr std::size_t kRoles = 10;
 
 /// For each role the index of the field that has it. Where several could (intensity and reflectivity), the
 /// name that drivers use most wins.
@@ -42,8 +42,17 @@ using RoleFields = std::array<std::optional<std::size_t>, kRoles>;
 
 /// Roles by the names of the fields, without regard to case: x, y, z; intensity, i, reflectivity, remission;
 /// ring, channel, line, row, level, layer; t, time, timestamp, timestamps, time_stamp, stamps, offset_time;
-/// label. A prefix "scalar_" (CloudCompare) does not count.
+/// label; echo, return_number; pulse_width, echo_width; flags. A prefix "scalar_" (CloudCompare) does not
+/// count.
 [[nodiscard]] RoleFields assign_roles(std::span<const std::string> names);
+
+/// Sets time_s and stamp_ns from a field of times: integers are nanoseconds (absolute beyond 1e17); float64
+/// is absolute nanoseconds beyond 1e17, microseconds beyond 1e14, milliseconds beyond 1e11, seconds beyond
+/// 1e8, else seconds of the scan; float32 is seconds of the scan. A time of 0 beside absolute ones is no time
+/// (no return).
+void set_times(std::span<const double> values, Scalar type, Decoded& out);
+/// The same for integers, exact.
+void set_times(std::span<const std::int64_t> values_ns, Decoded& out);
 
 /// Fills the cloud's columns, role by role.
 class CloudBuilder {
@@ -54,6 +63,8 @@ class CloudBuilder {
   void add(Role role, const Column& column);
   /// A field read from text; `type` is what the header says (kF64 where it says nothing).
   void add(Role role, std::span<const double> values, Scalar type);
+  /// Times that are known to the nanosecond.
+  void add_times(std::span<const std::int64_t> values_ns) { set_times(values_ns, out_); }
 
   /// The cloud. A ring that is no integer of 32 bits makes its point not finite, so that it is dropped and
   /// counted.
@@ -67,13 +78,5 @@ class CloudBuilder {
   Decoded out_;
   std::vector<std::uint8_t> no_ring_;
 };
-
-/// Sets time_s and stamp_ns from a field of times: integers are nanoseconds (absolute beyond 1e17); float64
-/// is absolute nanoseconds beyond 1e17, microseconds beyond 1e14, milliseconds beyond 1e11, seconds beyond
-/// 1e8, else seconds of the scan; float32 is seconds of the scan. A time of 0 beside absolute ones is no time
-/// (no return).
-void set_times(std::span<const double> values, Scalar type, Decoded& out);
-/// The same for integers, exact.
-void set_times(std::span<const std::int64_t> values_ns, Decoded& out);
 
 }  // namespace verge::io

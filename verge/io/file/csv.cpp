@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include "verge/core/atomic_file.hpp"
 #include "verge/io/file/columns.hpp"
+#include "verge/io/file/point_table.hpp"
 #include "verge/io/file/rows.hpp"
 #include "verge/io/text.hpp"
 
@@ -124,6 +128,9 @@ RoleFields default_roles(std::size_t columns) {
   return assign_roles(names);
 }
 
+/// Between 1973 and 2262.
+bool is_absolute_seconds(double value) { return value > 1e8 && value < 9.2e9; }
+
 class TableParser {
  public:
   /// At most `rows` rows will come.
@@ -149,6 +156,8 @@ class TableParser {
   std::size_t columns_ = 0;
   RoleFields roles_;
   std::array<std::vector<double>, kRoles> values_;
+  std::vector<std::int64_t>
+      stamps_ns_;  // of rows whose time is in absolute seconds: exact, which a double is not
   std::vector<std::string> notes_;
 };
 
@@ -215,6 +224,9 @@ Expected<void> TableParser::add_row(std::string_view line) {
     }
     const auto value = parse_number<double>(cell->text);
     if (!value) return Unexpected(bad_number(*cell));
+    if (columns == roles_[static_cast<std::size_t>(Role::kTime)] && is_absolute_seconds(*value)) {
+      stamps_ns_.push_back(parse_seconds(cell->text).value_or(0));
+    }
     row[columns++] = *value;
   }
   if (const auto quote = reader.open_quote()) return Unexpected(fail(*quote, "quote is not closed"));
@@ -243,12 +255,56 @@ Expected<Decoded> TableParser::read() {
                                {{}, std::max<std::size_t>(lines_.number(), 1), 1}, "has 0 points"));
   }
   CloudBuilder builder(points);
+  const bool exact = stamps_ns_.size() == points;
   for (std::size_t role = 0; role < kRoles; ++role) {
+    if (exact && role == static_cast<std::size_t>(Role::kTime)) continue;
     if (roles_[role]) builder.add(static_cast<Role>(role), values_[role], Scalar::kF64);
   }
+  if (exact) builder.add_times(stamps_ns_);
   Decoded out = std::move(builder).take();
   out.notes.insert(out.notes.end(), notes_.begin(), notes_.end());
   return out;
+}
+
+bool is_time(const TableColumn& column) { return column.name == "t" || column.name == "timestamp"; }
+
+/// Which columns stand where in paper 2's table; the others follow.
+bool is_of_table(const TableColumn& column) {
+  return column.name == "x" || column.name == "y" || column.name == "z" || column.name == "ring";
+}
+
+std::string csv_header(const std::vector<TableColumn>& table) {
+  std::string text = "number,level,distance,x,y,z";
+  for (const TableColumn& column : table) {
+    if (!is_of_table(column)) text += fmt::format(",{}", is_time(column) ? "timestamp_s" : column.name);
+  }
+  return text + '\n';
+}
+
+/// A number with as many digits as it needs, a time as seconds with nine decimals.
+std::string cell_text(const TableColumn& column, std::size_t row) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  return std::visit(
+      [&](const auto& values) {
+        if (!is_time(column)) return fmt::format("{}", values[row]);
+        const auto ns = static_cast<std::int64_t>(values[row]);
+        return fmt::format("{}{}.{:09}", ns < 0 ? "-" : "", std::abs(ns / kSecond), std::abs(ns % kSecond));
+      },
+      column.values);
+}
+
+std::string csv_row(const std::vector<TableColumn>& table, std::size_t row, float range) {
+  std::array<std::string, 4> place;  // ring, x, y, z
+  std::string rest;
+  for (const TableColumn& column : table) {
+    const std::string text = cell_text(column, row);
+    if (!is_of_table(column)) {
+      rest += ',' + text;
+    } else {
+      place[column.name == "ring" ? 0 : static_cast<std::size_t>(column.name.front() - 'x') + 1] = text;
+    }
+  }
+  return fmt::format("{},{},{},{},{},{}{}\n", row + 1, place[0], range, place[1], place[2], place[3], rest);
 }
 
 }  // namespace
@@ -265,6 +321,19 @@ Expected<Decoded> read_csv(Input& input) {
   const std::size_t rows = std::min(ends, text.size() / 6) + 1;
   if (auto allowed = input.allow(rows, input.size()); !allowed) return Unexpected(allowed.error());
   return TableParser(input, text, rows).read();
+}
+
+Expected<void> write_csv(const std::filesystem::path& path, const Scan& scan) {
+  auto file = AtomicFile::create(path);
+  if (!file) return Unexpected(file.error());
+  const std::vector<TableColumn> table = point_table(scan, TableTime::kAbsolute);
+  if (auto written = file->write(csv_header(table)); !written) return written;
+  const std::vector<std::uint32_t> order = input_order(scan);
+  for (std::size_t row = 0; row < scan.size(); ++row) {
+    const std::string line = csv_row(table, row, scan.range[order[row]]);
+    if (auto written = file->write(line); !written) return written;
+  }
+  return file->commit();
 }
 
 bool looks_like_table(std::string_view head) {

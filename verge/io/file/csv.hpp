@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string_view>
 
 #include "verge/io/file/decoded.hpp"
@@ -22,6 +23,12 @@ namespace verge::io {
 /// of cells, a quote stays open, a byte is NUL, a line is longer than 64 KiB, more than 256 columns, a
 /// decimal comma stands.
 [[nodiscard]] Expected<Decoded> read_csv(Input& input);
+
+/// The scan as such a table with a header, in the input's order, atomically: number (from 1), level (the
+/// ring), distance, x, y, z in metres as in paper 2's Table III, then, where the scan has them, intensity,
+/// timestamp_s (seconds with nine decimals, absolute where the scan has a stamp), echo, pulse_width, flags,
+/// label. Numbers have as many digits as bring them back bit for bit.
+[[nodiscard]] Expected<void> write_csv(const std::filesystem::path& path, const Scan& scan);
 
 /// Whether the text begins like such a table: a header that names x, y, z, or a first line of 3, 4 or 6
 /// numbers.

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+
 #include "verge/io/file/decoded.hpp"
 #include "verge/io/input.hpp"
+#include "verge/scan/scan.hpp"
 
 namespace verge::io {
 
@@ -11,5 +14,10 @@ namespace verge::io {
 /// Neither rings nor times. Fails with kUnusable where the size is no multiple of 16 or the coordinates
 /// cannot be metres (big-endian floats), kDamaged where it has no points.
 [[nodiscard]] Expected<Decoded> read_kitti(Input& input);
+
+/// The scan as KITTI's float32 rows x, y, z, intensity (0 where it has none), atomically. The format has no
+/// ring numbers but an order: ring by ring from the top. Points keep the input's order where that is so
+/// already, else they are written ring by ring, each by azimuth.
+[[nodiscard]] Expected<void> write_kitti(const std::filesystem::path& path, const Scan& scan);
 
 }  // namespace verge::io

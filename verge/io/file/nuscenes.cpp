@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/file/nuscenes.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cstring>
 #include <limits>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
-#include "verge/core/atomic_file.hpp"
 #include "verge/io/file/floats.hpp"
 
 namespace verge::io {
@@ -67,19 +67,13 @@ Expected<Decoded> read_nuscenes(Input& input) {
 }
 
 Expected<void> write_nuscenes(const std::filesystem::path& path, const Scan& scan) {
-  auto file = AtomicFile::create(path);
-  if (!file) return Unexpected(file.error());
-  for (std::size_t r = 0; r < scan.ring_count(); ++r) {
-    const auto [begin, end] = scan.ring(r);
-    for (std::size_t i = begin; i < end; ++i) {
-      const float intensity = scan.intensity.empty() ? 0.0F : scan.intensity[i];
-      const std::array<float, 5> point{-scan.y[i], scan.x[i], scan.z[i], intensity, static_cast<float>(r)};
-      std::array<char, kStride> bytes{};
-      std::memcpy(bytes.data(), point.data(), kStride);
-      if (auto written = file->write({bytes.data(), bytes.size()}); !written) return written;
-    }
-  }
-  return file->commit();
+  const std::vector<std::uint32_t> ring = ring_of_points(scan);
+  return write_float_rows(path, input_order(scan), 5, [&](std::uint32_t i, std::span<float> row) {
+    const float intensity = scan.intensity.empty() ? 0.0F : scan.intensity[i];
+    const std::array<float, 5> point{-scan.y[i], scan.x[i], scan.z[i], intensity,
+                                     static_cast<float>(ring[i])};
+    std::copy(point.begin(), point.end(), row.begin());
+  });
 }
 
 }  // namespace verge::io

@@ -16,8 +16,8 @@ namespace verge::io {
 /// or fewer than half of the points have a ring; kDamaged where it has no points.
 [[nodiscard]] Expected<Decoded> read_nuscenes(Input& input);
 
-/// The scan as nuScenes stores it, ring by ring, atomically. Coordinates come back bit for bit; what the
-/// format has no room for (times, labels) is left out.
+/// The scan as nuScenes stores it, in the input's order, atomically. Coordinates come back bit for bit; what
+/// the format has no room for (times, labels) is left out.
 [[nodiscard]] Expected<void> write_nuscenes(const std::filesystem::path& path, const Scan& scan);
 
 }  // namespace verge::io

@@ -10,10 +10,10 @@
 
 #include <fmt/core.h>
 
-#include "verge/core/atomic_file.hpp"
 #include "verge/io/file/columns.hpp"
 #include "verge/io/file/lzf.hpp"
 #include "verge/io/file/pcd_header.hpp"
+#include "verge/io/file/point_table.hpp"
 #include "verge/io/file/rows.hpp"
 #include "verge/io/text.hpp"
 
@@ -123,21 +123,27 @@ Expected<Decoded> read_ascii(Input& input, const PcdHeader& header) {
   return read_rows(input, lines, cells, static_cast<std::size_t>(header.points));
 }
 
-template <class T>
-void append(std::string& out, T value) {
-  std::array<char, sizeof(T)> bytes{};
-  std::memcpy(bytes.data(), &value, sizeof(T));
-  out.append(bytes.data(), bytes.size());
+/// One header line of a PCD file: its key and an entry for each column.
+template <class Entry>
+std::string header_line(std::string_view key, const std::vector<TableColumn>& table, Entry entry) {
+  std::string line(key);
+  for (const TableColumn& column : table) line += fmt::format(" {}", entry(column));
+  return line + '\n';
 }
 
-std::string header_text(const Scan& scan) {
-  const bool times = !scan.time_offset_ns.empty();
-  return fmt::format(
-      "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z intensity ring{}\nSIZE 4 4 4 4 "
-      "2{}\n"
-      "TYPE F F F F U{}\nCOUNT 1 1 1 1 1{}\nWIDTH {}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {}\nDATA "
-      "binary\n",
-      times ? " t" : "", times ? " 4" : "", times ? " U" : "", times ? " 1" : "", scan.size(), scan.size());
+char letter_of(Scalar type) {
+  if (!is_integer(type)) return 'F';
+  return type == Scalar::kI64 ? 'I' : 'U';
+}
+
+std::string header_text(const std::vector<TableColumn>& table, std::size_t points) {
+  std::string text = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n";
+  text += header_line("FIELDS", table, [](const TableColumn& c) { return c.name; });
+  text += header_line("SIZE", table, [](const TableColumn& c) { return size_of(type_of(c)); });
+  text += header_line("TYPE", table, [](const TableColumn& c) { return letter_of(type_of(c)); });
+  text += header_line("COUNT", table, [](const TableColumn& /*c*/) { return 1; });
+  return text +
+         fmt::format("WIDTH {0}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {0}\nDATA binary\n", points);
 }
 
 }  // namespace
@@ -166,22 +172,8 @@ Expected<Decoded> read_pcd(Input& input) {
 }
 
 Expected<void> write_pcd(const std::filesystem::path& path, const Scan& scan) {
-  auto file = AtomicFile::create(path);
-  if (!file) return Unexpected(file.error());
-  if (auto written = file->write(header_text(scan)); !written) return written;
-  std::string point;
-  for (std::size_t r = 0; r < scan.ring_count(); ++r) {
-    const auto [begin, end] = scan.ring(r);
-    for (std::size_t i = begin; i < end; ++i) {
-      point.clear();
-      for (const float value : {scan.x[i], scan.y[i], scan.z[i]}) append(point, value);
-      append(point, scan.intensity.empty() ? 0.0F : scan.intensity[i]);
-      append(point, static_cast<std::uint16_t>(r));
-      if (!scan.time_offset_ns.empty()) append(point, scan.time_offset_ns[i]);
-      if (auto written = file->write(point); !written) return written;
-    }
-  }
-  return file->commit();
+  const std::vector<TableColumn> table = point_table(scan, TableTime::kAbsolute);
+  return write_table(path, header_text(table, scan.size()), table, scan.size());
 }
 
 }  // namespace verge::io

@@ -17,8 +17,8 @@ namespace verge::io {
 /// (no points).
 [[nodiscard]] Expected<Decoded> read_pcd(Input& input);
 
-/// The scan as binary PCD, ring by ring, atomically: x y z intensity float32, ring uint16, and t uint32 (ns)
-/// where the scan has times. Everything comes back bit for bit.
+/// The scan as binary PCD, in the input's order, atomically: the columns of point_table.hpp with absolute
+/// times. A stamp without times is not kept. Everything else of the points comes back bit for bit.
 [[nodiscard]] Expected<void> write_pcd(const std::filesystem::path& path, const Scan& scan);
 
 }  // namespace verge::io

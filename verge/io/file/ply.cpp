@@ -12,6 +12,7 @@
 
 #include "verge/io/file/columns.hpp"
 #include "verge/io/file/ply_header.hpp"
+#include "verge/io/file/point_table.hpp"
 #include "verge/io/file/rows.hpp"
 #include "verge/io/text.hpp"
 
@@ -219,6 +220,22 @@ Expected<Decoded> read_ascii(Input& input, const PlyHeader& header) {
   return read_rows(input, lines, cells, static_cast<std::size_t>(vertex.count), last);
 }
 
+std::string_view name_of(Scalar type) {
+  constexpr std::array<std::string_view, 10> kNames{"char", "uchar", "short", "ushort", "int",
+                                                    "uint", "",      "",      "float",  "double"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+std::string header_text(const std::vector<TableColumn>& table, const Scan& scan) {
+  std::string text = "ply\nformat binary_little_endian 1.0\n";
+  if (scan.stamp_ns) text += fmt::format("comment {}{}\n", kPlyStamp, *scan.stamp_ns);
+  text += fmt::format("element vertex {}\n", scan.size());
+  for (const TableColumn& column : table) {
+    text += fmt::format("property {} {}\n", name_of(type_of(column)), column.name);
+  }
+  return text + "end_header\n";
+}
+
 }  // namespace
 
 Expected<Decoded> read_ply(Input& input) {
@@ -227,7 +244,15 @@ Expected<Decoded> read_ply(Input& input) {
   const PlyElement& vertex = header->elements[header->vertex];
   if (vertex.count == 0)
     return Unexpected(error_at(input, ErrorCode::kDamaged, vertex.count_at, "has 0 points"));
-  return header->data == PlyData::kAscii ? read_ascii(input, *header) : BinaryReader(input, *header).read();
+  auto out =
+      header->data == PlyData::kAscii ? read_ascii(input, *header) : BinaryReader(input, *header).read();
+  if (out && header->stamp_ns) out->stamp_ns = header->stamp_ns;
+  return out;
+}
+
+Expected<void> write_ply(const std::filesystem::path& path, const Scan& scan) {
+  const std::vector<TableColumn> table = point_table(scan, TableTime::kOffset);
+  return write_table(path, header_text(table, scan), table, scan.size());
 }
 
 }  // namespace verge::io

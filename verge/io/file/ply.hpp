@@ -14,4 +14,9 @@ namespace verge::io {
 /// column in the header and in ascii data, byte offset in binary data), kLimit, kDamaged (no vertices).
 [[nodiscard]] Expected<Decoded> read_ply(Input& input);
 
+/// The scan as binary little-endian PLY, in the input's order, atomically: the columns of point_table.hpp,
+/// and a comment "stamp_ns N" where the scan has a stamp, since PLY has no integers of 64 bits. Everything of
+/// the points comes back bit for bit.
+[[nodiscard]] Expected<void> write_ply(const std::filesystem::path& path, const Scan& scan);
+
 }  // namespace verge::io

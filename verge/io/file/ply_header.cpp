@@ -56,6 +56,7 @@ class HeaderParser {
   [[nodiscard]] Expected<void> read_format(WordReader& words);
   [[nodiscard]] Expected<void> read_element(WordReader& words);
   [[nodiscard]] Expected<void> read_property(const Token& key, WordReader& words);
+  void read_stamp(std::string_view line);
   [[nodiscard]] Expected<void> check();
 
   const Input& input_;
@@ -147,11 +148,21 @@ Expected<void> HeaderParser::read_property(const Token& key, WordReader& words) 
   return {};
 }
 
+/// A comment may say anything: what is no stamp is none.
+void HeaderParser::read_stamp(std::string_view line) {
+  const std::size_t at = line.find(kPlyStamp);
+  if (at != std::string_view::npos)
+    header_.stamp_ns = parse_number<std::int64_t>(line.substr(at + kPlyStamp.size()));
+}
+
 Expected<void> HeaderParser::read_line(std::string_view line, std::size_t number) {
   WordReader words(line, number);
   const auto key = words.next();
   if (!key) return Unexpected(fail({{}, number, 1}, "empty line in the header"));
-  if (key->text == "comment" || key->text == "obj_info") return {};
+  if (key->text == "comment" || key->text == "obj_info") {
+    read_stamp(line);
+    return {};
+  }
   if (!has_format_ && key->text != "format") {
     return Unexpected(fail(*key, "second line has to be the format", quoted(key->text), "'format'"));
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verge/io/file/columns.hpp"
@@ -16,6 +17,9 @@ namespace verge::io {
 
 /// Most numbers in a list property.
 inline constexpr std::uint64_t kLongestPlyList = 4096;
+
+/// A comment that begins so says when the scan began, in nanoseconds since the Unix epoch: ours.
+inline constexpr std::string_view kPlyStamp = "stamp_ns ";
 
 struct PlyProperty {
   std::string name;
@@ -39,7 +43,8 @@ enum class PlyData : std::uint8_t { kAscii, kLittleEndian, kBigEndian };
 struct PlyHeader {
   PlyData data = PlyData::kAscii;
   std::vector<PlyElement> elements;
-  std::size_t vertex = 0;  ///< Index of the element vertex.
+  std::optional<std::int64_t> stamp_ns;  ///< Of a comment "stamp_ns N".
+  std::size_t vertex = 0;                ///< Index of the element vertex.
   std::uint64_t data_offset = 0;
   std::size_t data_line = 1;
 };

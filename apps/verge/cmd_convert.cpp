@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/verge/commands.hpp"
+#include "apps/verge/console.hpp"
+#include "apps/verge/damage.hpp"
+#include "apps/verge/inputs.hpp"
+#include "apps/verge/options.hpp"
+#include "apps/verge/progress.hpp"
+#include "apps/verge/signals.hpp"
+#include "verge/core/field_io.hpp"
+#include "verge/io/sink.hpp"
+
+namespace verge::app {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  verge convert scan.pcd scan.ply                    # one scan: the suffix says the format\n"
+    "  verge convert drive/velodyne out --to pcd          # many scans: a folder with a file each\n"
+    "  verge convert drive/velodyne out --to csv --frames 0:3\n";
+
+struct ConvertRequest {
+  std::string in;
+  InputRequest input;
+  std::string out;
+  std::optional<std::string> to;
+  DamagePolicy damage;
+  Console::Options console;
+};
+
+Expected<std::unique_ptr<io::Sink>> sink_of(const ConvertRequest& request) {
+  io::SinkOptions options;
+  if (!request.to) return io::create(request.out, options);
+  options.format = value_named<io::Format>(*request.to);
+  if (options.format) return io::create(request.out, options);
+  return Unexpected({ErrorCode::kUsage,
+                     fmt::format("--to {}", *request.to),
+                     {},
+                     fmt::format("no such format (known: {})", fmt::join(enum_names<io::Format>, ", ")),
+                     {},
+                     {}});
+}
+
+/// One run from the opened inputs to the finished output.
+class ConvertJob {
+ public:
+  ConvertJob(Inputs& inputs, io::Sink& sink, Console& console, const Signals& signals)
+      : inputs_(inputs), sink_(sink), console_(console), signals_(signals), total_(inputs.total()) {}
+
+  /// Reads and writes until the end, a signal, or an output that cannot be written.
+  [[nodiscard]] Expected<void> copy() {
+    while (!signals_.stop()) {
+      auto next = inputs_.next();
+      if (next && !*next) break;
+      if (!next) {
+        skip(std::move(next).error());
+        continue;
+      }
+      if (auto written = sink_.write(**next); !written) return written;
+      pipeline::add(counts_, **next, {});
+      console_.progress(progress_line(counts_.scans + counts_.damaged, total_, seconds()));
+    }
+    return {};
+  }
+
+  [[nodiscard]] ExitCode code(const DamagePolicy& policy) const {
+    return signals_.stop() ? signals_.exit_code() : exit_code_of(first_error_, counts_, policy);
+  }
+  [[nodiscard]] const pipeline::Counts& counts() const { return counts_; }
+  [[nodiscard]] std::string report(const std::string& out) const {
+    std::string text = fmt::format("verge: {} scans with {} points in {:.1f} s: {}\n", counts_.scans,
+                                   counts_.points.used, seconds(), out);
+    for (const io::Counter& c : inputs_.counters())
+      text += fmt::format("{:<10}  {} {}\n", "counted", c.count, c.name);
+    return text;
+  }
+
+ private:
+  void skip(Error error) {
+    console_.error(error);
+    ++counts_.damaged;
+    if (!first_error_) first_error_ = std::move(error);
+  }
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+  Inputs& inputs_;
+  io::Sink& sink_;
+  Console& console_;
+  const Signals& signals_;
+  std::optional<std::size_t> total_;
+  pipeline::Counts counts_;
+  std::optional<Error> first_error_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+ExitCode fail(Console& console, const Error& error) {
+  console.error(error);
+  return exit_code_of(error.code);
+}
+
+ExitCode convert(const ConvertRequest& request) {
+  Console console(request.console);
+  const Signals signals;
+  auto inputs = Inputs::open(request.input, console.log());
+  if (!inputs) return fail(console, inputs.error());
+  auto sink = sink_of(request);
+  if (!sink) return fail(console, sink.error());
+  ConvertJob job(*inputs, **sink, console, signals);
+  if (const auto copied = job.copy(); !copied) return fail(console, copied.error());
+  const ExitCode code = job.code(request.damage);
+  if (code == ExitCode::kDamaged || code == ExitCode::kOk) warn_of_damage(job.counts(), console);
+  if (code == ExitCode::kUnusable || job.counts().scans == 0) return code;
+  if (const auto finished = (*sink)->finish(); !finished) return fail(console, finished.error());
+  console.print(job.report(request.out));
+  return code;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program, Action& action) {
+  CLI::App* verb = program.add_subcommand("convert", "write scans in another format");
+  const auto request = std::make_shared<ConvertRequest>();
+  verb->add_option("IN", request->in, "a file or folder of scans; - is standard input")->required();
+  verb->add_option("OUT", request->out, "a file, or a folder with a file for each scan")->required();
+  verb->add_option("--to", request->to, "format to write, where OUT's name does not say it")->type_name("F");
+  add_recording_options(*verb, request->input);
+  add_damage_options(*verb, request->damage);
+  add_console_options(*verb, request->console);
+  verb->footer(std::string(kExamples) + "\n" + exit_code_help());
+  verb->callback([request, &action] {
+    request->input.paths = {request->in};
+    action = [request] { return convert(*request); };
+  });
+}
+
+}  // namespace verge::app

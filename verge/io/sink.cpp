@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/io/sink.hpp"
+
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "verge/core/atomic_file.hpp"
+#include "verge/io/file/csv.hpp"
+#include "verge/io/file/kitti.hpp"
+#include "verge/io/file/nuscenes.hpp"
+#include "verge/io/file/pcd.hpp"
+#include "verge/io/file/ply.hpp"
+#include "verge/io/sniff.hpp"
+
+namespace verge::io {
+namespace fs = std::filesystem;
+namespace {
+
+Error usage_error(const fs::path& path, std::string what, std::string need = {}) {
+  return {ErrorCode::kUsage, path.string(), {}, std::move(what), {}, std::move(need)};
+}
+
+std::string_view name_of(Format format) { return enum_names<Format>[static_cast<std::size_t>(format)]; }
+
+std::string suffix_of(Format format) {
+  if (format == Format::kKitti) return ".bin";
+  if (format == Format::kNuscenes) return ".pcd.bin";
+  return fmt::format(".{}", name_of(format));
+}
+
+Expected<void> write_scan(Format format, const fs::path& path, const Scan& scan) {
+  switch (format) {
+    case Format::kKitti:
+      return write_kitti(path, scan);
+    case Format::kNuscenes:
+      return write_nuscenes(path, scan);
+    case Format::kPcd:
+      return write_pcd(path, scan);
+    case Format::kPly:
+      return write_ply(path, scan);
+    case Format::kCsv:
+      break;
+  }
+  return write_csv(path, scan);
+}
+
+/// One scan in one file: held until it is known that there is no second one.
+class FileSink final : public Sink {
+ public:
+  FileSink(Format format, fs::path path) : format_(format), path_(std::move(path)) {}
+
+  [[nodiscard]] Expected<void> write(const Scan& scan) override {
+    if (scan_) return Unexpected(usage_error(path_, "holds one scan, and there are more", "a folder"));
+    scan_ = scan;
+    return {};
+  }
+  [[nodiscard]] Expected<void> finish() override {
+    return scan_ ? write_scan(format_, path_, *scan_) : Expected<void>{};
+  }
+
+ private:
+  Format format_;
+  fs::path path_;
+  std::optional<Scan> scan_;
+};
+
+/// A file for each scan.
+class FolderSink final : public Sink {
+ public:
+  FolderSink(Format format, fs::path folder)
+      : format_(format),
+        folder_(std::move(folder)),
+        scans_(format == Format::kKitti ? folder_ / "velodyne" : folder_) {}
+
+  [[nodiscard]] Expected<void> make_folders() const {
+    std::error_code error;
+    fs::create_directories(scans_, error);
+    if (!error) return {};
+    return Unexpected(
+        {ErrorCode::kCannotWrite, scans_.string(), {}, "cannot make the folder", error.message(), {}});
+  }
+
+  [[nodiscard]] Expected<void> write(const Scan& scan) override {
+    add_time(scan.stamp_ns);
+    add_pose(scan.T_world_sensor);
+    // KITTI's times belong to scans by number.
+    const std::string name = format_ == Format::kKitti ? fmt::format("{:06}", count_) : scan.frame;
+    ++count_;
+    return write_scan(format_, scans_ / (name + suffix_of(format_)), scan);
+  }
+  [[nodiscard]] Expected<void> finish() override {
+    if (format_ != Format::kKitti || count_ == 0) return {};
+    if (timed_) {
+      if (auto written = write_file(folder_ / "times.txt", times_); !written) return written;
+    }
+    if (!posed_) return {};
+    // KITTI's poses are a camera's: here it stands where the sensor stands.
+    if (auto written = write_file(folder_ / "calib.txt", "Tr: 1 0 0 0 0 1 0 0 0 0 1 0\n"); !written)
+      return written;
+    return write_file(folder_ / "poses.txt", poses_);
+  }
+
+ private:
+  void add_time(std::optional<std::int64_t> stamp_ns) {
+    constexpr std::int64_t kSecond = 1'000'000'000;
+    timed_ = timed_ && stamp_ns && *stamp_ns >= 0;
+    if (timed_) times_ += fmt::format("{}.{:09}\n", *stamp_ns / kSecond, *stamp_ns % kSecond);
+  }
+
+  /// A row of KITTI's poses.txt: the matrix [R | t], row by row.
+  void add_pose(const std::optional<Pose>& pose) {
+    posed_ = posed_ && pose;
+    if (!posed_) return;
+    const Vec3 x = rotate(pose->rotation, {1.0, 0.0, 0.0});
+    const Vec3 y = rotate(pose->rotation, {0.0, 1.0, 0.0});
+    const Vec3 z = rotate(pose->rotation, {0.0, 0.0, 1.0});
+    const Vec3 t = pose->translation;
+    poses_ += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}\n", x.x, y.x, z.x, t.x, x.y, y.y, z.y, t.y,
+                          x.z, y.z, z.z, t.z);
+  }
+
+  Format format_;
+  fs::path folder_;
+  fs::path scans_;
+  std::size_t count_ = 0;
+  bool timed_ = true;
+  std::string times_;
+  bool posed_ = true;
+  std::string poses_;
+};
+
+std::vector<std::string_view> names_that_can_be_written() {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < enum_names<Format>.size(); ++i) {
+    if (can_write(static_cast<Format>(i))) names.push_back(enum_names<Format>[i]);
+  }
+  return names;
+}
+
+}  // namespace
+
+bool can_write(Format format) {
+  switch (format) {
+    case Format::kKitti:
+    case Format::kNuscenes:
+    case Format::kPcd:
+    case Format::kPly:
+    case Format::kCsv:
+      return true;
+  }
+  return false;
+}
+
+std::optional<Format> format_for_writing(const fs::path& path) {
+  const std::string suffix = scan_suffix(path);
+  for (std::size_t i = 0; i < enum_names<Format>.size(); ++i) {
+    const auto format = static_cast<Format>(i);
+    if (can_write(format) && suffix == suffix_of(format)) return format;
+  }
+  return std::nullopt;
+}
+
+Expected<std::unique_ptr<Sink>> create(const fs::path& path, const SinkOptions& options) {
+  const auto named = format_for_writing(path);
+  const auto format = options.format ? options.format : named;
+  if (!format) {
+    return Unexpected(usage_error(path, "the name says no format that can be written",
+                                  fmt::format("--to {}", fmt::join(names_that_can_be_written(), ", "))));
+  }
+  if (!can_write(*format)) {
+    return Unexpected(usage_error(path, fmt::format("{} is read but not written", name_of(*format)),
+                                  fmt::format("{}", fmt::join(names_that_can_be_written(), ", "))));
+  }
+  if (named && !fs::is_directory(path)) return std::make_unique<FileSink>(*format, path);
+  auto sink = std::make_unique<FolderSink>(*format, path);
+  if (auto made = sink->make_folders(); !made) return Unexpected(std::move(made).error());
+  return sink;
+}
+
+}  // namespace verge::io

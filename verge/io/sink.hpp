@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "verge/core/error.hpp"
+#include "verge/io/source.hpp"
+
+namespace verge::io {
+
+/// How to write a recording.
+struct SinkOptions {
+  std::optional<Format> format{};  ///< None: by the name's suffix.
+};
+
+/// Where scans go: a file each, or all in one recording.
+class Sink {
+ public:
+  Sink() = default;
+  Sink(const Sink&) = delete;
+  Sink& operator=(const Sink&) = delete;
+  virtual ~Sink() = default;
+
+  /// The next scan. Fails with kCannotWrite, and with kUsage for a second scan where the file holds but one.
+  [[nodiscard]] virtual Expected<void> write(const Scan& scan) = 0;
+
+  /// Makes what was written appear: a file is whole then, or not there. Call once, at the end.
+  [[nodiscard]] virtual Expected<void> finish() = 0;
+};
+
+/// Formats that create() writes.
+[[nodiscard]] bool can_write(Format format);
+
+/// The format that a name's suffix asks for; none where it says nothing (a folder).
+[[nodiscard]] std::optional<Format> format_for_writing(const std::filesystem::path& path);
+
+/// A sink for that path. A format of one scan a file, and a path without its suffix: a folder, made where it
+/// is not there, with a file FRAME.SUFFIX for each scan; KITTI's is FOLDER/velodyne/NUMBER.bin, with
+/// FOLDER/times.txt beside where every scan has a time (read back to the nanosecond), and poses.txt with
+/// calib.txt where every scan has a pose. Points and what the
+/// format holds of them come back bit for bit (see the format's write function). Fails with kUsage (no format
+/// for that name, or one that is only read) and kCannotWrite.
+[[nodiscard]] Expected<std::unique_ptr<Sink>> create(const std::filesystem::path& path,
+                                                     const SinkOptions& options = {});
+
+}  // namespace verge::io
