@@ -10,6 +10,8 @@
 
 #include <fmt/core.h>
 
+#include "verge/io/kitti_oxts.hpp"
+#include "verge/io/lines.hpp"
 #include "verge/io/text.hpp"
 
 namespace verge::io {
@@ -44,28 +46,6 @@ std::optional<fs::path> find_poses(const fs::path& scans) {
       sequence.parent_path().parent_path() / "poses" / (sequence.filename().string() + ".txt");
   std::error_code ignored;
   return fs::is_regular_file(poses, ignored) ? std::optional(poses) : std::nullopt;
-}
-
-/// One value a line, by `parse`. Blank lines at the end do not count.
-template <class T, class Parse>
-Expected<std::vector<T>> read_lines(const fs::path& path, const InputLimits& limits, Parse parse) {
-  auto input = Input::open(path, limits);
-  if (!input) return Unexpected(input.error());
-  if (auto allowed = input->allow(0, input->size()); !allowed) return Unexpected(allowed.error());
-  const auto bytes = input->read(0, input->size());
-  if (!bytes) return Unexpected(bytes.error());
-  LineReader lines(as_text(*bytes));
-  std::vector<T> values;
-  while (const auto line = lines.next()) {
-    if (line->find_first_not_of(" \t") == std::string_view::npos) continue;
-    auto value = parse(*line);
-    if (!value) {
-      return Unexpected(error_at(*input, ErrorCode::kUnusable, {{}, lines.number(), 1}, "line cannot be used",
-                                 quoted(*line)));
-    }
-    values.push_back(std::move(*value));
-  }
-  return values;
 }
 
 std::optional<Pose> parse_pose(std::string_view line) {
@@ -157,6 +137,9 @@ void KittiSequence::attach(Scan& scan, std::size_t row) const {
 
 KittiSequence find_kitti_sequence(const fs::path& scans, const InputLimits& limits, const Log& log) {
   KittiSequence sequence{find_stamps(scans, limits, log), find_sensor_poses(scans, limits, log)};
+  if (sequence.T_world_sensor.empty()) {
+    sequence.T_world_sensor = find_oxts_poses(scans, sequence.stamps_ns, limits, log);
+  }
   const std::size_t times = sequence.stamps_ns.size();
   const std::size_t poses = sequence.T_world_sensor.size();
   if (times > 0 && poses > 0 && times != poses) {

@@ -27,7 +27,8 @@ struct KittiSequence {
 
 /// Looks for times.txt (seconds) or timestamps.txt (KITTI raw: date and time, taken as UTC), and for
 /// poses.txt (left camera) with calib.txt (Tr: lidar to camera), in the folder of the scans and the one
-/// above; for poses also poses/NN.txt beside sequences. T_world_sensor = Tr^-1 * pose * Tr. Says in the log
+/// above; for poses also poses/NN.txt beside sequences. T_world_sensor = Tr^-1 * pose * Tr. Without
+/// them, the poses of a raw drive (kitti_oxts.hpp). Says in the log
 /// what was found and what was not used and why.
 [[nodiscard]] KittiSequence find_kitti_sequence(const std::filesystem::path& scans, const InputLimits& limits,
                                                 const Log& log);
