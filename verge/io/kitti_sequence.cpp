@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr std::int64_t kRevolution = 100'000'000;  // the HDL-64E turns at 10 Hz
 constexpr std::size_t kMatrix = 12;
 
 /// The folder of the scans and the one above: sequences/00/velodyne, DRIVE/velodyne_points/data.
@@ -121,22 +120,8 @@ std::vector<Pose> find_sensor_poses(const fs::path& scans, const InputLimits& li
 
 }  // namespace
 
-void KittiSequence::attach(Scan& scan, std::size_t row) const {
-  if (row < stamps_ns.size() && !scan.stamp_ns) scan.stamp_ns = stamps_ns[row];
-  if (row >= T_world_sensor.size()) return;
-  scan.T_world_sensor = T_world_sensor[row];
-  if (T_world_sensor.size() < 2) return;
-  const bool last = row + 1 == T_world_sensor.size();
-  const std::size_t from = last ? row - 1 : row;
-  const Pose step = inverse(T_world_sensor[from]) * T_world_sensor[from + 1];
-  const bool timed = from + 1 < stamps_ns.size() && stamps_ns[from + 1] > stamps_ns[from];
-  scan.motion = Motion{.T_world_sensor_begin = T_world_sensor[row],
-                       .T_world_sensor_end = T_world_sensor[row] * step,
-                       .duration_ns = timed ? stamps_ns[from + 1] - stamps_ns[from] : kRevolution};
-}
-
-KittiSequence find_kitti_sequence(const fs::path& scans, const InputLimits& limits, const Log& log) {
-  KittiSequence sequence{find_stamps(scans, limits, log), find_sensor_poses(scans, limits, log)};
+ScanTrack find_kitti_sequence(const fs::path& scans, const InputLimits& limits, const Log& log) {
+  ScanTrack sequence{find_stamps(scans, limits, log), find_sensor_poses(scans, limits, log)};
   if (sequence.T_world_sensor.empty()) {
     sequence.T_world_sensor = find_oxts_poses(scans, sequence.stamps_ns, limits, log);
   }

@@ -9,29 +9,19 @@
 #include <vector>
 
 #include "verge/core/log.hpp"
-#include "verge/core/pose.hpp"
 #include "verge/io/input.hpp"
-#include "verge/scan/scan.hpp"
+#include "verge/io/scan_track.hpp"
 
 namespace verge::io {
 
-/// What stands beside the scans of a KITTI or SemanticKITTI drive: a row a scan.
-struct KittiSequence {
-  std::vector<std::int64_t> stamps_ns;  ///< Empty: not known.
-  std::vector<Pose> T_world_sensor;  ///< Empty: not known. The world is the sensor's frame at the first row.
-
-  /// Gives the scan what row `row` says: stamp, pose, and the motion to the next row's pose (at the last row:
-  /// on from the one before), over the time between the two or 0.1 s where times are not known.
-  void attach(Scan& scan, std::size_t row) const;
-};
-
-/// Looks for times.txt (seconds) or timestamps.txt (KITTI raw: date and time, taken as UTC), and for
-/// poses.txt (left camera) with calib.txt (Tr: lidar to camera), in the folder of the scans and the one
+/// What stands beside the scans of a KITTI or SemanticKITTI drive; the world is the sensor's frame at the
+/// first row. Looks for times.txt (seconds) or timestamps.txt (KITTI raw: date and time, taken as UTC), and
+/// for poses.txt (left camera) with calib.txt (Tr: lidar to camera), in the folder of the scans and the one
 /// above; for poses also poses/NN.txt beside sequences. T_world_sensor = Tr^-1 * pose * Tr. Without
 /// them, the poses of a raw drive (kitti_oxts.hpp). Says in the log
 /// what was found and what was not used and why.
-[[nodiscard]] KittiSequence find_kitti_sequence(const std::filesystem::path& scans, const InputLimits& limits,
-                                                const Log& log);
+[[nodiscard]] ScanTrack find_kitti_sequence(const std::filesystem::path& scans, const InputLimits& limits,
+                                            const Log& log);
 
 /// Rows of the sequence for files of these names: the number that the name is (000123.bin is row 123), or the
 /// place in the list where names are no numbers but there are as many rows as files; empty: they do not fit.

@@ -52,7 +52,7 @@ TEST(KittiSequence, PosesOfTheCameraBecomePosesOfTheLidar) {
   folder.write("calib.txt", kCalib);
   Heard heard;
   const auto scans = folder.path() / "velodyne";
-  const KittiSequence sequence = find_kitti_sequence(scans, {}, heard.log());
+  const ScanTrack sequence = find_kitti_sequence(scans, {}, heard.log());
   EXPECT_THAT(heard.warnings, IsEmpty());
   ASSERT_EQ(sequence.T_world_sensor.size(), 3U);
   expect_near(sequence.T_world_sensor[0].translation, {0, 0, 0});
@@ -67,7 +67,7 @@ TEST(KittiSequence, MotionLeadsToTheNextPoseAndOnFromTheLast) {
   folder.write("poses.txt", kPoses);
   folder.write("calib.txt", kCalib);
   folder.write("times.txt", "0.000000e+00\n1.036224e-01\n2.1e-01\n");
-  const KittiSequence sequence = find_kitti_sequence(folder.path() / "velodyne/", {}, {});
+  const ScanTrack sequence = find_kitti_sequence(folder.path() / "velodyne/", {}, {});
   Scan first;
   sequence.attach(first, 0);
   EXPECT_EQ(first.stamp_ns, 0);
@@ -91,7 +91,7 @@ TEST(KittiSequence, WithoutTimesATenthOfASecondIsAssumedAndSaid) {
   folder.write("poses.txt", kPoses);
   folder.write("calib.txt", kCalib);
   Heard heard;
-  const KittiSequence sequence = find_kitti_sequence(folder.path(), {}, heard.log());
+  const ScanTrack sequence = find_kitti_sequence(folder.path(), {}, heard.log());
   Scan scan;
   sequence.attach(scan, 0);
   ASSERT_TRUE(scan.motion);
@@ -145,7 +145,7 @@ TEST(KittiSequence, TimesAndPosesOfDifferentLengthAreNotUsed) {
   folder.write("calib.txt", kCalib);
   folder.write("times.txt", "0\n0.1\n");
   Heard heard;
-  const KittiSequence sequence = find_kitti_sequence(folder.path(), {}, heard.log());
+  const ScanTrack sequence = find_kitti_sequence(folder.path(), {}, heard.log());
   EXPECT_THAT(sequence.stamps_ns, IsEmpty());
   EXPECT_THAT(sequence.T_world_sensor, IsEmpty());
   EXPECT_EQ(heard.warnings.size(), 1U);

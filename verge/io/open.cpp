@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "verge/io/files.hpp"
 #include "verge/io/kitti_sequence.hpp"
 #include "verge/io/notes.hpp"
+#include "verge/io/nuscenes_tables.hpp"
 #include "verge/io/sniff.hpp"
 #include "verge/io/source.hpp"
 
@@ -33,7 +35,7 @@ class FileSource final : public Source {
   /// The first file, which opening has read already: a pipe can be read but once.
   void hold(Input first) { first_ = std::move(first); }
   /// What stands beside the files; rows[i] belongs to file i.
-  void attach(KittiSequence sequence, std::vector<std::size_t> rows) {
+  void attach(ScanTrack sequence, std::vector<std::size_t> rows) {
     sequence_ = std::move(sequence);
     rows_ = std::move(rows);
   }
@@ -44,7 +46,7 @@ class FileSource final : public Source {
 
   OpenOptions options_;
   SourceInfo info_;
-  KittiSequence sequence_;
+  ScanTrack sequence_;
   std::vector<std::size_t> rows_;
   std::size_t next_ = 0;
   std::optional<Input> first_;
@@ -106,6 +108,14 @@ Expected<Format> first_format(const std::vector<fs::path>& files, const OpenOpti
   return Unexpected(*trouble);
 }
 
+/// Rows of the scans asked for alone.
+void attach_nuscenes(FileSource& source, const OpenOptions& options) {
+  const std::vector<fs::path>& files = source.info().files;
+  std::vector<std::size_t> rows(files.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  source.attach(find_nuscenes_track(files, options.log), std::move(rows));
+}
+
 Expected<std::unique_ptr<Source>> open_folder(const fs::path& folder, const OpenOptions& options) {
   auto found = find_scan_files(folder, options.format);
   if (!found) return Unexpected(found.error());
@@ -113,7 +123,7 @@ Expected<std::unique_ptr<Source>> open_folder(const fs::path& folder, const Open
   if (!format) return Unexpected(format.error());
   auto source = std::make_unique<FileSource>(options, info_of(*format, slice(found->files, options)));
   if (*format == Format::kKitti) {
-    KittiSequence sequence = find_kitti_sequence(found->folder, limits_of(options), options.log);
+    ScanTrack sequence = find_kitti_sequence(found->folder, limits_of(options), options.log);
     const std::size_t rows = std::max(sequence.stamps_ns.size(), sequence.T_world_sensor.size());
     const std::vector<std::size_t> row_of = kitti_rows(found->files, rows);
     if (rows > 0 && row_of.empty()) {
@@ -122,6 +132,7 @@ Expected<std::unique_ptr<Source>> open_folder(const fs::path& folder, const Open
     }
     source->attach(std::move(sequence), slice(row_of, options));
   }
+  if (*format == Format::kNuscenes) attach_nuscenes(*source, options);
   return source;
 }
 
@@ -133,10 +144,15 @@ Expected<std::unique_ptr<Source>> open_file(const fs::path& path, const OpenOpti
   auto source = std::make_unique<FileSource>(options, info_of(*format, slice(std::vector{path}, options)));
   if (!source->info().files.empty()) source->hold(std::move(*input));
   if (*format == Format::kKitti) {
-    KittiSequence sequence = find_kitti_sequence(path.parent_path(), limits_of(options), options.log);
+    ScanTrack sequence = find_kitti_sequence(path.parent_path(), limits_of(options), options.log);
     const std::size_t rows = std::max(sequence.stamps_ns.size(), sequence.T_world_sensor.size());
     const std::vector<std::size_t> row_of = kitti_rows({path}, rows);
     source->attach(std::move(sequence), slice(row_of, options));
+  }
+  if (*format == Format::kNuscenes) {
+    // The tables are read for a folder alone: they are large, and a shell may name thousands of files.
+    if (const auto stamp = nuscenes_stamp_ns(path))
+      source->attach({{*stamp}, {}}, slice(std::vector{std::size_t{0}}, options));
   }
   return source;
 }
