@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/sensor/velodyne/projector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "verge/core/angle.hpp"
+
+namespace verge::sensor::velodyne {
+namespace {
+
+/// cos and sin of all azimuths there are on the wire.
+struct Direction {
+  float cosine;
+  float sine;
+};
+
+const std::vector<Direction>& directions() {
+  static const std::vector<Direction> table = [] {
+    std::vector<Direction> all(kTurn);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double azimuth = deg_to_rad(0.01 * static_cast<double>(i));
+      all[i] = {static_cast<float>(std::cos(azimuth)), static_cast<float>(std::sin(azimuth))};
+    }
+    return all;
+  }();
+  return table;
+}
+
+constexpr double kRadPerUnit = std::numbers::pi / 18'000.0;
+
+/// The least and the greatest count of distance between two ranges. By rounding first, so that 0.9 m is 450
+/// counts of 2 mm whatever the last bit of the quotient says.
+std::uint16_t count_at_least(double range_m, double step_m) {
+  return static_cast<std::uint16_t>(std::clamp(std::ceil(range_m / step_m - 1e-6), 1.0, 65'535.0));
+}
+std::uint16_t count_at_most(double range_m, double step_m) {
+  return static_cast<std::uint16_t>(std::clamp(std::floor(range_m / step_m + 1e-6), 0.0, 65'535.0));
+}
+
+/// Share of the way from the near point of the calibration to its far point.
+double share(double at_m, double near_m) {
+  constexpr double kFarM = 25.04;
+  return (at_m - near_m) / (kFarM - near_m);
+}
+
+template <class T>
+void append_column(std::vector<T>& column, const T* from, std::size_t count) {
+  column.insert(column.end(), from, from + count);
+}
+
+}  // namespace
+
+Projector::Projector(const Facts& facts, const Calibration& calibration, double range_min_m,
+                     double range_max_m)
+    : range_step_m_(static_cast<float>(facts.range_step_m)) {
+  for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
+    slot_time_ns_[slot] = static_cast<float>(facts.slot_time_ns[slot]);
+    slot_time_s_[slot] = 1e-9 * facts.slot_time_ns[slot];
+  }
+  for (std::size_t bank = 0; bank < facts.banks; ++bank) {
+    banks_.push_back(make_bank(facts, calibration, bank, range_min_m, range_max_m));
+  }
+}
+
+Projector::Bank Projector::make_bank(const Facts& facts, const Calibration& calibration, std::size_t bank,
+                                     double range_min_m, double range_max_m) const {
+  Bank out;
+  const std::vector<std::int64_t> rings = rings_of(calibration);
+  for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
+    const std::size_t laser = bank * kSlotsPerBlock + slot % facts.lasers_per_firing;
+    const LaserCorrection& correction = calibration[laser];
+    const double level = std::cos(correction.elevation_rad);
+    out.ahead[slot] = static_cast<float>(level * std::cos(correction.azimuth_rad));
+    out.aside[slot] = static_cast<float>(level * std::sin(correction.azimuth_rad));
+    out.up[slot] = static_cast<float>(std::sin(correction.elevation_rad));
+    out.distance[slot] = static_cast<float>(correction.distance_m);
+    out.count_min[slot] = count_at_least(range_min_m - correction.distance_m, facts.range_step_m);
+    out.count_max[slot] = count_at_most(range_max_m - correction.distance_m, facts.range_step_m);
+    out.ring[slot] = rings[laser];
+    out.correction[slot] = correction;
+    out.shifted = out.shifted || correction.up_m != 0.0 || correction.left_m != 0.0 || correction.near;
+  }
+  return out;
+}
+
+void Projector::load(Bytes packet, std::size_t block, Lanes& lanes) {
+  const std::byte* at = packet.data() + block * 100 + 4;
+  for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
+    std::memcpy(&lanes.distance[slot], at + 3 * slot, 2);
+    lanes.intensity[slot] = static_cast<float>(static_cast<std::uint8_t>(at[3 * slot + 2]));
+  }
+}
+
+void Projector::judge(const Bank& bank, Lanes& lanes, PointCounters& counters) {
+  unsigned no_return = 0;
+  unsigned below = 0;
+  unsigned above = 0;
+  for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
+    const unsigned distance = lanes.distance[slot];
+    const unsigned none = distance == 0 ? 1 : 0;
+    const unsigned near = distance < bank.count_min[slot] ? 1 : 0;
+    const unsigned far = distance > bank.count_max[slot] ? 1 : 0;
+    no_return += none;
+    below += near & ~none;
+    above += far & ~none & ~near;
+    lanes.valid[slot] = static_cast<std::uint8_t>((none | near | far) ^ 1U);
+  }
+  counters.no_return += no_return;
+  counters.below_min += below;
+  counters.above_max += above;
+}
+
+/// Each laser's azimuth is the head's when it fired. The head turns little within a block (0.0004 rad for an
+/// HDL-32E at 10 Hz), so that two terms of the series are exact to float.
+void Projector::place(const Bank& bank, const PlannedBlock& plan, Lanes& lanes) const {
+  const auto [cosine, sine] = directions()[plan.azimuth];
+  const auto turn = static_cast<float>(plan.turn_per_ns * kRadPerUnit);
+  for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
+    const float d = turn * slot_time_ns_[slot];
+    const float cos_d = 1.0F - 0.5F * d * d;
+    const float sin_d = d * (1.0F - d * d * (1.0F / 6.0F));
+    const float cos_head = cosine * cos_d - sine * sin_d;
+    const float sin_head = sine * cos_d + cosine * sin_d;
+    const float range = static_cast<float>(lanes.distance[slot]) * range_step_m_ + bank.distance[slot];
+    lanes.x[slot] = range * (bank.ahead[slot] * cos_head - bank.aside[slot] * sin_head);
+    lanes.y[slot] = -range * (bank.ahead[slot] * sin_head + bank.aside[slot] * cos_head);
+    lanes.z[slot] = range * bank.up[slot];
+  }
+}
+
+/// HDL-64E: beams that do not start in the origin, and distances that are corrected otherwise near by (manual
+/// of the S3, "calibration": the correction goes linearly between two distances, ahead and aside apart).
+void Projector::shift(const Bank& bank, const PlannedBlock& plan, Lanes& lanes) const {
+  for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
+    const LaserCorrection& laser = bank.correction[slot];
+    const double azimuth =
+        kRadPerUnit * (plan.azimuth + plan.turn_per_ns * static_cast<double>(slot_time_ns_[slot])) +
+        laser.azimuth_rad;
+    const double cos_a = std::cos(azimuth);
+    const double sin_a = std::sin(azimuth);
+    const double level = std::cos(laser.elevation_rad);
+    const double measured = static_cast<double>(lanes.distance[slot]) * static_cast<double>(range_step_m_);
+    double ahead_m = measured + laser.distance_m;
+    double side_m = ahead_m;
+    constexpr double kFarM = 25.04;
+    if (laser.near && measured < kFarM) {
+      const double along = share(std::abs(ahead_m * level * cos_a), 1.93);
+      const double across = share(std::abs(side_m * level * sin_a), 2.40);
+      ahead_m = measured + std::lerp(laser.near->ahead_m, laser.distance_m, along);
+      side_m = measured + std::lerp(laser.near->side_m, laser.distance_m, across);
+    }
+    const double mean_m = 0.5 * (ahead_m + side_m);
+    lanes.x[slot] = static_cast<float>(ahead_m * level * cos_a + laser.left_m * sin_a);
+    lanes.y[slot] = static_cast<float>(-side_m * level * sin_a + laser.left_m * cos_a);
+    lanes.z[slot] = static_cast<float>(mean_m * std::sin(laser.elevation_rad) + laser.up_m);
+  }
+}
+
+void Projector::append(const Bank& bank, const Lanes& lanes, double time_s, PointBatch& batch) const {
+  std::size_t n = batch.size;
+  for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
+    batch.x[n] = lanes.x[slot];
+    batch.y[n] = lanes.y[slot];
+    batch.z[n] = lanes.z[slot];
+    batch.intensity[n] = lanes.intensity[slot];
+    batch.ring[n] = bank.ring[slot];
+    batch.time_s[n] = time_s + slot_time_s_[slot];
+    n += lanes.valid[slot];
+  }
+  batch.size = n;
+}
+
+void Projector::add(Bytes packet, std::size_t block, const PlannedBlock& plan, double time_s,
+                    const std::size_t* other, PointBatch& batch, PointCounters& counters) const {
+  const Bank& bank = banks_[plan.bank];
+  Lanes lanes;
+  load(packet, block, lanes);
+  judge(bank, lanes, counters);
+  place(bank, plan, lanes);
+  if (bank.shifted) shift(bank, plan, lanes);
+  counters.measured += kSlotsPerBlock;
+  std::size_t at = batch.size;
+  if (other != nullptr) {
+    Lanes others;
+    load(packet, *other, others);
+    for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
+      if (lanes.valid[slot] == 0) continue;
+      const bool same = lanes.distance[slot] == others.distance[slot];
+      if (same && plan.echo == 1) {
+        lanes.valid[slot] = 0;
+        ++counters.same_echo;
+        continue;
+      }
+      batch.echo[at++] = others.distance[slot] != 0 && lanes.distance[slot] > others.distance[slot] ? 1 : 0;
+    }
+  }
+  const std::size_t before = batch.size;
+  append(bank, lanes, time_s, batch);
+  if (other == nullptr)
+    std::fill(batch.echo.begin() + static_cast<std::ptrdiff_t>(before),
+              batch.echo.begin() + static_cast<std::ptrdiff_t>(batch.size), std::uint8_t{0});
+  counters.used += batch.size - before;
+}
+
+void move_points(PointBatch& batch, Cloud& cloud, bool with_echo) {
+  const std::size_t n = batch.size;
+  append_column(cloud.x, batch.x.data(), n);
+  append_column(cloud.y, batch.y.data(), n);
+  append_column(cloud.z, batch.z.data(), n);
+  append_column(cloud.intensity, batch.intensity.data(), n);
+  append_column(cloud.ring, batch.ring.data(), n);
+  append_column(cloud.time_s, batch.time_s.data(), n);
+  if (with_echo) append_column(cloud.echo, batch.echo.data(), n);
+  batch.size = 0;
+}
+
+}  // namespace verge::sensor::velodyne
