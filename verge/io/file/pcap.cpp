@@ -75,15 +75,15 @@ std::string list_of(const std::set<IpAddress>& sensors) {
 /// Why a capture holds nothing for us.
 Error nothing_in(const Input& input, const Survey& survey) {
   std::string seen;
-  std::string what = fmt::format("no data packet on port {}", kDataPort);
-  if (survey.cut_to)
-    what = fmt::format("no whole data packet: the capture was cut to {} bytes", *survey.cut_to);
   constexpr std::size_t kShown = 8;
   std::size_t shown = 0;
   for (const auto& [port, count] : survey.ports) {
-    if (shown++ < kShown) seen += fmt::format("{}{}: {}", seen.empty() ? "saw " : ", ", port, count);
+    if (shown++ < kShown) seen += fmt::format("{}{}: {}", seen.empty() ? "; saw " : ", ", port, count);
   }
-  return input.error_at(ErrorCode::kUnusable, 0, std::move(what), std::move(seen));
+  std::string what = fmt::format("no data packet on port {}{}", kDataPort, seen);
+  if (survey.cut_to)
+    what = fmt::format("no whole data packet: the capture was cut to {} bytes", *survey.cut_to);
+  return input.error_at(ErrorCode::kUnusable, 0, std::move(what));
 }
 
 /// The one sensor to read; an Error where there is none, or a choice.
@@ -160,7 +160,7 @@ class PcapRecording final : public Recording {
   std::int64_t last_time_ns_ = 0;
   bool ended_ = false;
   bool second_sensor_told_ = false;
-  std::vector<Error> errors_;  // to tell: now that of a second sensor, at the end those of the file
+  std::vector<Error> errors_;  // to tell at the end
 };
 
 /// Reads one frame on; false at the end of the capture.

@@ -21,8 +21,8 @@ namespace verge::io {
 /// model is unknown, or the calibration is of another one; kUnusable where it is not a capture or holds no
 /// data packet (the error says what it saw: other ports, position packets alone, cut packets). A damaged or
 /// cut record ends the recording: the scans before it come first, then one kDamaged; so does a datagram of
-/// which a fragment is missing, at the end. A second sensor that speaks up late is kUsage when it is met; its
-/// packets are then left out.
+/// which a fragment is missing, at the end. A second sensor that speaks up only after 20 000 records is left
+/// out, counted and noted.
 [[nodiscard]] Expected<std::unique_ptr<Recording>> open_pcap(Input input, const RecordingOptions& options);
 
 /// Writes captures: Ethernet, IPv4, UDP with its checksum, microseconds; the same packets give the same

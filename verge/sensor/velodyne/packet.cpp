@@ -100,7 +100,7 @@ bool leaps(const PacketPlan& plan, const PlannedBlock& from, std::size_t block, 
 }
 
 /// Moves the steps after a leap to when the head had turned that far.
-void find_pauses(PacketPlan& plan, const Facts& facts) {
+void find_pauses(PacketPlan& plan, const Facts& facts, double mean_turn_per_ns) {
   const PlannedBlock* from = nullptr;
   std::int64_t pause_ns = 0;
   for (std::size_t b = 0; b < kBlocksPerPacket; ++b) {
@@ -108,7 +108,8 @@ void find_pauses(PacketPlan& plan, const Facts& facts) {
     if (!block.usable) continue;
     const bool new_step = from != nullptr && from->step != block.step;
     if (new_step && from->turn_per_ns > 0.0 && leaps(plan, *from, b, facts)) {
-      const double took_ns = turned(*from, block) / from->turn_per_ns;
+      const double took_ns =
+          turned(*from, block) / (mean_turn_per_ns > 0.0 ? mean_turn_per_ns : from->turn_per_ns);
       pause_ns += std::llround(took_ns) - (block.step - from->step) * facts.step_ns;
       from = &block;
     }
@@ -155,7 +156,7 @@ DataBytes to_bytes(const RawPacket& packet) {
   return out;
 }
 
-PacketPlan plan_packet(Bytes payload, const Facts& facts, double turn_per_ns) {
+PacketPlan plan_packet(Bytes payload, const Facts& facts, double turn_per_ns, double mean_turn_per_ns) {
   PacketPlan plan;
   plan.dual = is_dual(payload, facts);
   plan.steps = kBlocksPerPacket / (facts.banks_share_step ? 2 : 1) / (plan.dual ? 2 : 1);
@@ -165,7 +166,7 @@ PacketPlan plan_packet(Bytes payload, const Facts& facts, double turn_per_ns) {
     turn_per_ns = turn_after(plan, b, facts).value_or(turn_per_ns);
     plan.blocks[b].turn_per_ns = turn_per_ns;
   }
-  find_pauses(plan, facts);
+  find_pauses(plan, facts, mean_turn_per_ns);
   return plan;
 }
 

@@ -69,7 +69,8 @@ struct PacketPlan {
 /// there is none, or it would be slower than 1 or faster than 40 revolutions a second, that of the block
 /// before, and of `turn_per_ns` before the first. Blocks with a flag that the model does not have, or an
 /// azimuth beyond 35999, are not usable.
-[[nodiscard]] PacketPlan plan_packet(Bytes payload, const Facts& facts, double turn_per_ns);
+[[nodiscard]] PacketPlan plan_packet(Bytes payload, const Facts& facts, double turn_per_ns,
+                                     double mean_turn_per_ns = 0.0);
 
 /// The model that sent the packet: by its block flags (HDL-64E), else by its product byte; 00 00 is an
 /// HDL-32E before firmware 2.2.20.0. None where no model of ours did.

@@ -148,7 +148,7 @@ void RevolutionDecoder::drain() {
 }
 
 void RevolutionDecoder::decode(const PacketQueue::Packet& packet) {
-  const PacketPlan plan = plan_packet(packet.bytes, *facts_, turn_per_ns_);
+  const PacketPlan plan = plan_packet(packet.bytes, *facts_, turn_per_ns_, mean_turn_per_ns_);
   counters_.blocks += kBlocksPerPacket;
   counters_.rejected_flag += plan.rejected_flag;
   counters_.rejected_azimuth += plan.rejected_azimuth;
@@ -203,6 +203,8 @@ bool RevolutionDecoder::follow(const PlannedBlock& block, std::int64_t time_ns) 
     begin_revolution(time_ns);
   }
   turn_per_ns_ = block.turn_per_ns;
+  constexpr double kFollow = 1.0 / 64.0;
+  mean_turn_per_ns_ += (mean_turn_per_ns_ > 0.0 ? kFollow : 1.0) * (turn_per_ns_ - mean_turn_per_ns_);
   const double share = turn_per_ns_ * static_cast<double>(facts_->step_ns) / kTurn;
   current_.completeness = std::min(1.0, current_.completeness + share);
   return true;

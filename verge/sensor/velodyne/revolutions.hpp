@@ -119,6 +119,7 @@ class RevolutionDecoder {
   PacketQueue queue_;
   TurnTracker tracker_;
   double turn_per_ns_ = 0.0;  // of the last block
+  double mean_turn_per_ns_ = 0.0;
   PointBatch batch_;
   Revolution current_;
   std::int64_t current_begin_ns_ = 0;  // time_s counts from here

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/sensor/velodyne/turn_tracker.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace verge::sensor::velodyne {
@@ -21,7 +22,8 @@ TurnTracker::Move TurnTracker::step(std::int32_t azimuth, std::int64_t time_ns, 
     implausible_ = 0;
     return Move::kRestart;
   }
-  const auto elapsed_ns = static_cast<double>(time_ns - last->time_ns);
+  // After a pause whose length was reckoned, the next stamp may be a little before.
+  const auto elapsed_ns = static_cast<double>(std::max<std::int64_t>(0, time_ns - last->time_ns));
   const std::int32_t forward = (from_cut - last->from_cut + kTurn) % kTurn;
   // How many whole turns a gap hides: those that bring the advance nearest to what the rate says.
   const double hidden = std::fmax(0.0, std::round((turn_per_ns * elapsed_ns - forward) / kTurn));
