@@ -159,7 +159,7 @@ DataBytes to_bytes(const RawPacket& packet) {
 PacketPlan plan_packet(Bytes payload, const Facts& facts, double turn_per_ns, double mean_turn_per_ns) {
   PacketPlan plan;
   plan.dual = is_dual(payload, facts);
-  plan.steps = kBlocksPerPacket / (facts.banks_share_step ? 2 : 1) / (plan.dual ? 2 : 1);
+  plan.steps = steps_of(payload, facts);
   for (std::size_t b = 0; b < kBlocksPerPacket; ++b) place_block(plan.blocks[b], payload, b, facts, plan);
   for (std::size_t b = 0; b < kBlocksPerPacket; ++b) {
     if (!plan.blocks[b].usable) continue;
@@ -168,6 +168,10 @@ PacketPlan plan_packet(Bytes payload, const Facts& facts, double turn_per_ns, do
   }
   find_pauses(plan, facts, mean_turn_per_ns);
   return plan;
+}
+
+std::size_t steps_of(Bytes payload, const Facts& facts) {
+  return kBlocksPerPacket / (facts.banks_share_step ? 2U : 1U) / (is_dual(payload, facts) ? 2U : 1U);
 }
 
 std::optional<Model> model_of(Bytes payload) {

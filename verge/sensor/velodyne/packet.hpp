@@ -72,6 +72,9 @@ struct PacketPlan {
 [[nodiscard]] PacketPlan plan_packet(Bytes payload, const Facts& facts, double turn_per_ns,
                                      double mean_turn_per_ns = 0.0);
 
+/// Steps from a packet's start to the next one's, as its plan says.
+[[nodiscard]] std::size_t steps_of(Bytes payload, const Facts& facts);
+
 /// The model that sent the packet: by its block flags (HDL-64E), else by its product byte; 00 00 is an
 /// HDL-32E before firmware 2.2.20.0. None where no model of ours did.
 [[nodiscard]] std::optional<Model> model_of(Bytes payload);

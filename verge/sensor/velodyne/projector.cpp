@@ -109,6 +109,7 @@ void Projector::judge(const Bank& bank, Lanes& lanes, PointCounters& counters) {
     above += far & ~none & ~near;
     lanes.valid[slot] = static_cast<std::uint8_t>((none | near | far) ^ 1U);
   }
+  lanes.all_valid = no_return + below + above == 0;
   counters.no_return += no_return;
   counters.below_min += below;
   counters.above_max += above;
@@ -161,17 +162,33 @@ void Projector::shift(const Bank& bank, const PlannedBlock& plan, Lanes& lanes) 
 }
 
 void Projector::append(const Bank& bank, const Lanes& lanes, double time_s, PointBatch& batch) const {
-  std::size_t n = batch.size;
-  for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
-    batch.x[n] = lanes.x[slot];
-    batch.y[n] = lanes.y[slot];
-    batch.z[n] = lanes.z[slot];
-    batch.intensity[n] = lanes.intensity[slot];
-    batch.ring[n] = bank.ring[slot];
-    batch.time_s[n] = time_s + slot_time_s_[slot];
-    n += lanes.valid[slot];
+  // Plain pointers: every lane is written, and only those that are valid move the end on.
+  float* x = batch.x.data() + batch.size;
+  float* y = batch.y.data() + batch.size;
+  float* z = batch.z.data() + batch.size;
+  float* intensity = batch.intensity.data() + batch.size;
+  std::int64_t* ring = batch.ring.data() + batch.size;
+  double* time = batch.time_s.data() + batch.size;
+  std::size_t n = 0;
+  if (lanes.all_valid) {
+    for (; n < kSlotsPerBlock; ++n) time[n] = time_s + slot_time_s_[n];
+    std::copy_n(lanes.x.data(), n, x);
+    std::copy_n(lanes.y.data(), n, y);
+    std::copy_n(lanes.z.data(), n, z);
+    std::copy_n(lanes.intensity.data(), n, intensity);
+    std::copy_n(bank.ring.data(), n, ring);
+  } else {
+    for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
+      x[n] = lanes.x[slot];
+      y[n] = lanes.y[slot];
+      z[n] = lanes.z[slot];
+      intensity[n] = lanes.intensity[slot];
+      ring[n] = bank.ring[slot];
+      time[n] = time_s + slot_time_s_[slot];
+      n += lanes.valid[slot];
+    }
   }
-  batch.size = n;
+  batch.size += n;
 }
 
 void Projector::add(Bytes packet, std::size_t block, const PlannedBlock& plan, double time_s,
@@ -192,6 +209,7 @@ void Projector::add(Bytes packet, std::size_t block, const PlannedBlock& plan, d
       const bool same = lanes.distance[slot] == others.distance[slot];
       if (same && plan.echo == 1) {
         lanes.valid[slot] = 0;
+        lanes.all_valid = false;
         ++counters.same_echo;
         continue;
       }

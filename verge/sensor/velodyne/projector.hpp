@@ -62,6 +62,7 @@ class Projector {
     Counts distance{};
     Floats x{}, y{}, z{}, intensity{};
     std::array<std::uint8_t, kSlotsPerBlock> valid{};
+    bool all_valid = false;
   };
 
   [[nodiscard]] Bank make_bank(const Facts& facts, const Calibration& calibration, std::size_t bank,

@@ -121,13 +121,13 @@ void RevolutionDecoder::add_data(Bytes payload, std::int64_t received_ns) {
     return;
   }
   ++counters_.data;
-  while (const auto packet = queue_.pop()) decode(*packet);
+  while (const auto* const packet = queue_.pop()) decode(*packet);
 }
 
 /// Time of the packet's first firing.
 std::int64_t RevolutionDecoder::time_of(Bytes payload, std::int64_t received_ns) {
-  const PacketPlan plan = plan_packet(payload, *facts_, 0.0);
-  const std::int64_t packet_ns = static_cast<std::int64_t>(plan.steps) * facts_->step_ns;
+  const std::size_t steps = steps_of(payload, *facts_);
+  const std::int64_t packet_ns = static_cast<std::int64_t>(steps) * facts_->step_ns;
   const StampClock::Reading reading =
       facts_->has_clock ? clock_.read(load_le<std::uint32_t>(payload, kStampAt), received_ns, packet_ns)
                         : clock_.read_received(received_ns, packet_ns);
@@ -140,11 +140,11 @@ std::int64_t RevolutionDecoder::time_of(Bytes payload, std::int64_t received_ns)
     tracker_.restart();
   }
   const bool marks_last = config_.stamp == StampMark::kLast && facts_->has_clock;
-  return reading.time_ns - (marks_last ? last_shot_ns(*facts_, plan.steps) : 0);
+  return reading.time_ns - (marks_last ? last_shot_ns(*facts_, steps) : 0);
 }
 
 void RevolutionDecoder::drain() {
-  while (const auto packet = queue_.drain()) decode(*packet);
+  while (const auto* const packet = queue_.drain()) decode(*packet);
 }
 
 void RevolutionDecoder::decode(const PacketQueue::Packet& packet) {

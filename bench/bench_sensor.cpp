@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Speed of decoding: packets of one HDL-32E revolution to its cloud, beside the floor (bench/floor.hpp) over
+// the same points; the counter x_floor is the ratio of the two medians.
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <time.h>
+
+#include "bench/floor.hpp"
+#include "verge/sensor/velodyne/test_packets.hpp"
+
+namespace verge::bench {
+namespace {
+
+namespace velodyne = sensor::velodyne;
+
+// Time of this thread alone, so that others on the machine disturb less.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// One drive, revolution by revolution: each time what comes until the next one is finished.
+void decode_revolution(benchmark::State& state) {
+  const auto packets = velodyne::testing::stream({.packets = 20'000});
+  velodyne::RevolutionDecoder decoder;
+  Floor floor;
+  std::vector<double> ours;
+  std::vector<double> floors;
+  std::size_t next = 0;
+  std::size_t points = 0;
+  const auto revolution = [&] {
+    while (next < packets.size()) {
+      decoder.add(packets[next].bytes, packets[next].time_ns);
+      ++next;
+      if (auto finished = decoder.take()) return finished;
+    }
+    return decoder.take();
+  };
+  for ([[maybe_unused]] auto _ : state) {
+    const double begin = thread_seconds();
+    auto finished = revolution();
+    const double took = thread_seconds() - begin;
+    if (!finished) {  // the drive is over: again
+      next = 0;
+      decoder = velodyne::RevolutionDecoder();
+      state.SetIterationTime(took);
+      continue;
+    }
+    const Cloud& cloud = finished->cloud;
+    points = cloud.x.size();
+    const double floor_begin = thread_seconds();
+    benchmark::DoNotOptimize(floor.run(cloud.x, cloud.y, cloud.z));
+    floors.push_back(thread_seconds() - floor_begin);
+    ours.push_back(took);
+    state.SetIterationTime(took);
+  }
+  if (ours.empty()) return;
+  state.counters["x_floor"] = median(ours) / median(floors);
+  state.counters["ns_a_point"] = 1e9 * median(ours) / static_cast<double>(points);
+  state.counters["points"] = static_cast<double>(points);
+}
+
+BENCHMARK(decode_revolution)
+    ->Name("decode/hdl32e_revolution")
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace verge::bench
+
+BENCHMARK_MAIN();
