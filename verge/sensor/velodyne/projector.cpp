@@ -79,7 +79,8 @@ Projector::Bank Projector::make_bank(const Facts& facts, const Calibration& cali
     out.up[slot] = static_cast<float>(std::sin(correction.elevation_rad));
     out.distance[slot] = static_cast<float>(correction.distance_m);
     out.count_min[slot] = count_at_least(range_min_m - correction.distance_m, facts.range_step_m);
-    out.count_max[slot] = count_at_most(range_max_m - correction.distance_m, facts.range_step_m);
+    const std::uint16_t most = count_at_most(range_max_m - correction.distance_m, facts.range_step_m);
+    out.count_span[slot] = static_cast<std::uint16_t>(std::max(0, most - out.count_min[slot]));
     out.ring[slot] = rings[laser];
     out.correction[slot] = correction;
     out.shifted = out.shifted || correction.up_m != 0.0 || correction.left_m != 0.0 || correction.near;
@@ -96,23 +97,23 @@ void Projector::load(Bytes packet, std::size_t block, Lanes& lanes) {
 }
 
 void Projector::judge(const Bank& bank, Lanes& lanes, PointCounters& counters) {
-  unsigned no_return = 0;
-  unsigned below = 0;
-  unsigned above = 0;
+  unsigned valid = 0;
   for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
-    const unsigned distance = lanes.distance[slot];
-    const unsigned none = distance == 0 ? 1 : 0;
-    const unsigned near = distance < bank.count_min[slot] ? 1 : 0;
-    const unsigned far = distance > bank.count_max[slot] ? 1 : 0;
-    no_return += none;
-    below += near & ~none;
-    above += far & ~none & ~near;
-    lanes.valid[slot] = static_cast<std::uint8_t>((none | near | far) ^ 1U);
+    // One comparison of 16 bits: below the least count it wraps around.
+    const auto above_least = static_cast<std::uint16_t>(lanes.distance[slot] - bank.count_min[slot]);
+    lanes.valid[slot] = above_least <= bank.count_span[slot] ? 1 : 0;
+    valid += lanes.valid[slot];
   }
-  lanes.all_valid = no_return + below + above == 0;
-  counters.no_return += no_return;
-  counters.below_min += below;
-  counters.above_max += above;
+  lanes.all_valid = valid == kSlotsPerBlock;
+  if (lanes.all_valid) return;
+  for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
+    const std::uint16_t distance = lanes.distance[slot];
+    if (lanes.valid[slot] != 0) continue;
+    std::uint64_t& reason = distance == 0                     ? counters.no_return
+                            : distance < bank.count_min[slot] ? counters.below_min
+                                                              : counters.above_max;
+    ++reason;
+  }
 }
 
 /// Each laser's azimuth is the head's when it fired. The head turns little within a block (0.0004 rad for an

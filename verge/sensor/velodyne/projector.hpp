@@ -52,7 +52,7 @@ class Projector {
   struct Bank {
     Floats ahead{}, aside{}, up{};  // cos(elevation) cos and sin(azimuth against the head's), sin(elevation)
     Floats distance{};              // added to each, metres
-    Counts count_min{}, count_max{};  // counts of distance that are in range
+    Counts count_min{}, count_span{};  // least count of distance in range, and how many more there are
     std::array<std::int64_t, kSlotsPerBlock> ring{};
     std::array<LaserCorrection, kSlotsPerBlock> correction{};
     bool shifted = false;  // beams do not start in the origin, or have corrections for near points

@@ -26,7 +26,8 @@ TurnTracker::Move TurnTracker::step(std::int32_t azimuth, std::int64_t time_ns, 
   const auto elapsed_ns = static_cast<double>(std::max<std::int64_t>(0, time_ns - last->time_ns));
   const std::int32_t forward = (from_cut - last->from_cut + kTurn) % kTurn;
   // How many whole turns a gap hides: those that bring the advance nearest to what the rate says.
-  const double hidden = std::fmax(0.0, std::round((turn_per_ns * elapsed_ns - forward) / kTurn));
+  const double missing = turn_per_ns * elapsed_ns - forward;
+  const double hidden = missing < 0.5 * kTurn ? 0.0 : std::round(missing / kTurn);
   if (hidden == 0.0 && forward > kFastestTurnPerNs * elapsed_ns + kEncoderSlack) {
     if (++implausible_ < 3) return Move::kImplausible;
     last_.reset();
