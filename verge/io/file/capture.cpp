@@ -23,6 +23,11 @@ constexpr std::uint64_t kMostFrame = 262'144;
 constexpr std::uint64_t kMostBlock = 16ULL << 20U;
 constexpr std::uint32_t kSectionBlock = 0x0A0D0D0A;
 
+struct CloseFile {
+  // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): this is what owns it
+  void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
+};
+
 struct CloseCapture {
   void operator()(pcap_t* capture) const { pcap_close(capture); }
 };
@@ -66,7 +71,7 @@ struct Capture::State {
                                  static_cast<std::size_t>(length));
   }
 
-  std::uint32_t word(Bytes bytes, std::size_t offset) const {
+  [[nodiscard]] std::uint32_t word(Bytes bytes, std::size_t offset) const {
     return swapped ? load_be<std::uint32_t>(bytes, offset) : load_le<std::uint32_t>(bytes, offset);
   }
 
@@ -122,16 +127,18 @@ Expected<void> Capture::State::open() {
       return Unexpected(error);
     }
   }
-  std::FILE* const file = fopencookie(this, "r", {&State::read_on, nullptr, nullptr, nullptr});
-  if (file == nullptr) return Unexpected(input.error_at(ErrorCode::kUnusable, 0, "cannot read the capture"));
-  static_cast<void>(std::setvbuf(file, nullptr, _IONBF, 0));  // so that `at` is where libpcap stands
+  std::unique_ptr<std::FILE, CloseFile> file(
+      fopencookie(this, "r", {&State::read_on, nullptr, nullptr, nullptr}));
+  if (!file) return Unexpected(input.error_at(ErrorCode::kUnusable, 0, "cannot read the capture"));
+  static_cast<void>(std::setvbuf(file.get(), nullptr, _IONBF, 0));  // so that `at` is where libpcap stands
   std::array<char, PCAP_ERRBUF_SIZE> reason{};
-  capture.reset(pcap_fopen_offline_with_tstamp_precision(file, PCAP_TSTAMP_PRECISION_NANO, reason.data()));
+  capture.reset(
+      pcap_fopen_offline_with_tstamp_precision(file.get(), PCAP_TSTAMP_PRECISION_NANO, reason.data()));
   if (!capture) {
-    static_cast<void>(std::fclose(file));
     if (failed) return Unexpected(*failed);
     return Unexpected(input.error_at(ErrorCode::kUnusable, at, reason.data()));
   }
+  static_cast<void>(file.release());  // closed with the capture
   const int link = pcap_datalink(capture.get());
   if (DatagramReader::reads(link)) return {};
   return Unexpected(input.error_at(ErrorCode::kUnusable, 20, "frames of this link type cannot be read",

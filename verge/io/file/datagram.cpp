@@ -124,7 +124,7 @@ FrameKind DatagramReader::read_ip(Bytes bytes, Datagram& datagram) {
 FrameKind DatagramReader::read_ipv4(Bytes bytes, IpPacket& packet) {
   constexpr std::size_t kLeast = 20;
   if (bytes.size() < kLeast) return FrameKind::kCut;
-  const std::size_t header = 4 * (byte_at(bytes, 0) & 0x0FU);
+  const std::size_t header = 4 * static_cast<std::size_t>(byte_at(bytes, 0) & 0x0FU);
   const std::size_t total = load_be<std::uint16_t>(bytes, 2);
   if (byte_at(bytes, 9) != kUdp) return FrameKind::kNotUdp;
   if (header < kLeast || total < header) return FrameKind::kMalformed;
@@ -132,7 +132,7 @@ FrameKind DatagramReader::read_ipv4(Bytes bytes, IpPacket& packet) {
   const auto fragment = load_be<std::uint16_t>(bytes, 6);
   packet.protocol = kUdp;
   packet.id = load_be<std::uint16_t>(bytes, 4);
-  packet.offset = 8U * (fragment & 0x1FFFU);
+  packet.offset = 8 * static_cast<std::size_t>(fragment & 0x1FFFU);
   packet.more = (fragment & 0x2000U) != 0;
   packet.source = address(bytes, 12, 4);
   packet.destination = address(bytes, 16, 4);

@@ -17,7 +17,7 @@ namespace verge::io {
 struct IpAddress {
   std::array<std::uint8_t, 16> bytes{};  ///< Of IPv4 the first four.
   bool v6 = false;
-  auto operator<=>(const IpAddress&) const = default;
+  auto operator<=>(const IpAddress&) const = default;  // NOLINT(readability-implicit-bool-conversion)
 };
 
 /// "192.168.1.201", or eight groups of hexadecimal digits.

@@ -110,7 +110,7 @@ void find_pauses(PacketPlan& plan, const Facts& facts, double mean_turn_per_ns) 
     if (new_step && from->turn_per_ns > 0.0 && leaps(plan, *from, b, facts)) {
       const double took_ns =
           turned(*from, block) / (mean_turn_per_ns > 0.0 ? mean_turn_per_ns : from->turn_per_ns);
-      pause_ns += std::llround(took_ns) - (block.step - from->step) * facts.step_ns;
+      pause_ns += std::llround(took_ns) - std::int64_t{block.step - from->step} * facts.step_ns;
       from = &block;
     }
     block.pause_ns = pause_ns;

@@ -67,7 +67,7 @@ Projector::Projector(const Facts& facts, const Calibration& calibration, double 
 }
 
 Projector::Bank Projector::make_bank(const Facts& facts, const Calibration& calibration, std::size_t bank,
-                                     double range_min_m, double range_max_m) const {
+                                     double range_min_m, double range_max_m) {
   Bank out;
   const std::vector<std::int64_t> rings = rings_of(calibration);
   for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {

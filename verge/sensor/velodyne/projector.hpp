@@ -65,8 +65,8 @@ class Projector {
     bool all_valid = false;
   };
 
-  [[nodiscard]] Bank make_bank(const Facts& facts, const Calibration& calibration, std::size_t bank,
-                               double range_min_m, double range_max_m) const;
+  [[nodiscard]] static Bank make_bank(const Facts& facts, const Calibration& calibration, std::size_t bank,
+                                      double range_min_m, double range_max_m);
   static void load(Bytes packet, std::size_t block, Lanes& lanes);
   static void judge(const Bank& bank, Lanes& lanes, PointCounters& counters);
   void place(const Bank& bank, const PlannedBlock& plan, Lanes& lanes) const;
