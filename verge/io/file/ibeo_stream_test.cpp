@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/file/ibeo_stream.hpp"
 
+#include <cstring>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -9,9 +10,13 @@
 
 #include "verge/io/file/alasca_stream.hpp"
 #include "verge/io/test_files.hpp"
+#include "verge/sensor/ibeo/alasca_scan.hpp"
 #include "verge/sensor/ibeo/health2030.hpp"
 #include "verge/sensor/ibeo/idc.hpp"
-#include "verge/sensor/ibeo/test_messages.hpp"
+#include "verge/sensor/ibeo/message.hpp"
+#include "verge/sensor/ibeo/ntp.hpp"
+#include "verge/sensor/ibeo/objects2221.hpp"
+#include "verge/sensor/ibeo/scan2202.hpp"
 #include "verge/sensor/ibeo/vehicle2805.hpp"
 
 namespace verge::io {
@@ -20,13 +25,67 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::joined;
-using testing::lux_message;
-using testing::lux_scan_message;
-using testing::patched;
 namespace ibeo = sensor::ibeo;
 
 using File = std::vector<std::byte>;
+
+/// 2012-09-21 20:06:44 UTC.
+constexpr std::int64_t kUnixNs = 1'348'258'004'000'000'000;
+
+/// A scan of 20 ms that goes through the layers from left to right.
+ibeo::LuxScan lux_scan(std::size_t points) {
+  ibeo::LuxScan scan;
+  scan.start_ntp = ibeo::ntp_of(kUnixNs);
+  scan.end_ntp = ibeo::ntp_of(kUnixNs + 20'000'000);
+  scan.start_angle_ticks = 1600;
+  scan.end_angle_ticks = -1600;
+  for (std::size_t i = 0; i < points; ++i) {
+    scan.points.push_back({.layer = static_cast<std::uint8_t>(i % 4),
+                           .angle_ticks = static_cast<std::int16_t>(1600 - static_cast<int>(i)),
+                           .range_cm = static_cast<std::uint16_t>(1000 + i)});
+  }
+  return scan;
+}
+
+File lux_message(std::uint16_t type, const File& body) {
+  return ibeo::encode_message({.type = type, .ntp = ibeo::ntp_of(kUnixNs)}, body);
+}
+
+File lux_scan_message(std::size_t points) {
+  return lux_message(ibeo::kScanType, ibeo::encode_scan(lux_scan(points)));
+}
+
+/// An object without contour points, and one whose count of them is not known.
+File lux_objects() {
+  ibeo::LuxObject unknown;
+  unknown.contour_unknown = true;
+  return lux_message(ibeo::kObjectsType, ibeo::encode_objects({0, {ibeo::LuxObject{}, unknown}}));
+}
+
+/// Every fifth point is called invalid.
+File alasca_scan_message(std::size_t points) {
+  ibeo::AlascaScan scan;
+  for (std::size_t i = 0; i < points; ++i) {
+    scan.points.push_back({.layer = static_cast<std::uint8_t>(i % 4),
+                           .status = ibeo::AlascaStatus{static_cast<std::uint8_t>(i % 5)},
+                           .x_code = static_cast<std::int16_t>(1000 + i)});
+  }
+  return ibeo::encode_alasca_message({.type = ibeo::kAlascaScanType}, ibeo::encode_alasca_scan(scan));
+}
+
+/// One behind the other.
+File joined(const std::vector<File>& parts) {
+  File all;
+  for (const File& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// `bytes` with `value` at `offset`, little-endian.
+template <class T>
+File patched(File bytes, std::size_t offset, T value) {
+  std::memcpy(bytes.data() + offset, &value, sizeof(T));
+  return bytes;
+}
 
 /// What a recording gives from its beginning to its end.
 struct Read {
@@ -87,8 +146,8 @@ File idc(std::size_t scans, bool closed) {
   File file;
   const auto append = [&](const File& bytes) { file.insert(file.end(), bytes.begin(), bytes.end()); };
   for (std::size_t i = 0; i < scans; ++i) {
-    append(writer.add({.type = ibeo::kScanType, .ntp = testing::kNtp + (i << 28U)},
-                      ibeo::encode_scan(testing::lux_scan(5, static_cast<std::uint16_t>(i)))));
+    append(writer.add({.type = ibeo::kScanType, .ntp = ibeo::ntp_of(kUnixNs) + (i << 28U)},
+                      ibeo::encode_scan(lux_scan(5))));
   }
   if (closed) append(writer.close());
   return file;
@@ -105,7 +164,7 @@ TEST(IbeoStream, EveryScanIsAScan) {
   EXPECT_EQ(read.scans[0].cloud.x.size(), 12U);
   EXPECT_EQ(read.scans[1].cloud.x.size(), 0U);
   EXPECT_EQ(read.scans[2].cloud.x.size(), 740U);
-  EXPECT_EQ(read.scans[0].stamp_ns, 1'348'258'004'000'000'000);
+  EXPECT_EQ(read.scans[0].stamp_ns, kUnixNs);
   EXPECT_EQ(read.count("messages used: scan (0x2202)"), 3U);
   EXPECT_EQ(read.count("points used"), 752U);
 }
@@ -113,8 +172,7 @@ TEST(IbeoStream, EveryScanIsAScan) {
 // L14, and every type that we know.
 TEST(IbeoStream, OtherMessagesAreCountedByTheirType) {
   const Read read = read_ibeo(
-      joined({lux_message(ibeo::kSensorInfoType, File(30)),
-              lux_message(ibeo::kObjectsType, ibeo::encode_objects(testing::lux_objects({2, -1}))),
+      joined({lux_message(ibeo::kSensorInfoType, File(30)), lux_objects(),
               lux_message(ibeo::kVehicleStateType, ibeo::encode_vehicle_state({.velocity_cm_s = 100})),
               lux_message(ibeo::kHealthType, ibeo::encode_health({})), lux_scan_message(4),
               lux_message(0x2403, File(100))}));
@@ -141,7 +199,7 @@ TEST(IbeoStream, WhatTheSensorSaysOfItsHealthStandsWithTheNextScan) {
 }
 
 TEST(IbeoStream, TheMountingStandsInANoteAndIsNotApplied) {
-  ibeo::LuxScan scan = testing::lux_scan(4);
+  ibeo::LuxScan scan = lux_scan(4);
   scan.mounting = {.yaw_ticks = 320, .pitch_ticks = -32, .x_cm = 365, .z_cm = 55};
   scan.flags = ibeo::kDirtLabelled;
   const Read read =
@@ -187,7 +245,7 @@ TEST(IbeoStream, ABodyThatCannotBeIsToldWithItsPlaceAndCounted) {
 }
 
 TEST(IbeoStream, PointsThatCannotBeAreCounted) {
-  ibeo::LuxScan scan = testing::lux_scan(10);
+  ibeo::LuxScan scan = lux_scan(10);
   scan.points[0].layer = 4;
   scan.points[1].echo = 9;
   scan.points[2].range_cm = 0;
@@ -252,7 +310,7 @@ TEST(Idc, TheSizeOfTheMessageBeforeIsNotBelieved) {
 // L22.
 TEST(IbeoStream, AnotherScannersMessagesAreNamed) {
   EXPECT_THAT(
-      read_ibeo(testing::alasca_scan_message(3)).errors,
+      read_ibeo(alasca_scan_message(3)).errors,
       ElementsAre(
           "a.bin:0: holds messages of an ibeo ALASCA XT, not of a LUX (got AF FE C0 C0, need AF FE C0 C2)"));
   EXPECT_THAT(
@@ -274,18 +332,18 @@ TEST(IbeoStream, IsKnownByAMessageInItsHead) {
   EXPECT_TRUE(is_ibeo(lux_scan_message(3)));
   EXPECT_TRUE(is_ibeo(joined({garbage(1000), lux_scan_message(3)})));
   EXPECT_TRUE(is_ibeo(idc(1, true)));
-  EXPECT_FALSE(is_ibeo(testing::alasca_scan_message(3)));
+  EXPECT_FALSE(is_ibeo(alasca_scan_message(3)));
   EXPECT_FALSE(is_ibeo(garbage(1000)));
   EXPECT_FALSE(is_ibeo({}));
   const File scan = lux_scan_message(3);
   EXPECT_FALSE(is_ibeo(Bytes(scan).first(23)));
   EXPECT_FALSE(is_ibeo(patched(scan, 8, std::uint32_t{0xFFFFFFFF})));
-  EXPECT_TRUE(is_alasca(testing::alasca_scan_message(3)));
+  EXPECT_TRUE(is_alasca(alasca_scan_message(3)));
   EXPECT_FALSE(is_alasca(scan));
 }
 
 TEST(AlascaStream, EveryScanIsAScan) {
-  const File scan = testing::alasca_scan_message(10);
+  const File scan = alasca_scan_message(10);
   const File other = ibeo::encode_alasca_message({.type = 1}, File(40));
   const Read read =
       read_alasca(joined({garbage(3), scan, other, scan, File(scan.begin(), scan.begin() + 20)}));
@@ -299,7 +357,7 @@ TEST(AlascaStream, EveryScanIsAScan) {
 }
 
 TEST(AlascaStream, SizesThatCannotBeAreTold) {
-  const File scan = testing::alasca_scan_message(10);
+  const File scan = alasca_scan_message(10);
   const File large = patched(scan, 4, std::uint32_t{0x7195'0100});  // 0x00019571: one more than the greatest
   const Read read = read_alasca(joined({patched(scan, 16 + 14, std::uint16_t{0}), scan, large, scan}));
   EXPECT_EQ(read.scans.size(), 2U);
@@ -312,9 +370,7 @@ TEST(AlascaStream, SizesThatCannotBeAreTold) {
 // two messages that are not touched are there.
 TEST(IbeoStream, WithAnyBitFlippedTheOtherMessagesAreThere) {
   const File scan = lux_scan_message(3);
-  const File head =
-      joined({lux_scan_message(20),
-              lux_message(ibeo::kObjectsType, ibeo::encode_objects(testing::lux_objects({2, -1})))});
+  const File head = joined({lux_scan_message(20), lux_objects()});
   for (std::size_t at = 0; at < head.size(); ++at) {
     for (unsigned bit = 0; bit < 8; ++bit) {
       File bad = head;
@@ -327,8 +383,7 @@ TEST(IbeoStream, WithAnyBitFlippedTheOtherMessagesAreThere) {
 // The same recording read through an Input whose pieces of 64 KiB fall anywhere.
 TEST(IbeoStream, ManyMessagesOverManyPiecesAreAllThere) {
   std::vector<File> messages;
-  for (std::size_t i = 0; i < 300; ++i)
-    messages.push_back(lux_scan_message(700 + i % 97, static_cast<std::uint16_t>(i)));
+  for (std::size_t i = 0; i < 300; ++i) messages.push_back(lux_scan_message(700 + i % 97));
   const Read read = read_ibeo(joined(messages));
   EXPECT_THAT(read.errors, IsEmpty());
   ASSERT_EQ(read.scans.size(), 300U);

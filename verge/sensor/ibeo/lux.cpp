@@ -42,7 +42,7 @@ double time_s(const LuxScan& scan, std::int16_t angle_ticks) {
   const int width = scan.start_angle_ticks - scan.end_angle_ticks;
   if (width == 0) return 0.0;
   const double share = static_cast<double>(scan.start_angle_ticks - angle_ticks) / width;
-  return seconds_between(scan.start_ntp, scan.end_ntp) * std::clamp(share, 0.0, 1.0);
+  return seconds_between(scan.start_ntp, scan.end_ntp) * std::min(std::max(0.0, share), 1.0);  // never -0
 }
 
 /// Counts times from the earliest; the time of that.
