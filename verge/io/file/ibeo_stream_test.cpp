@@ -265,6 +265,18 @@ TEST(Idc, WithIndexAndTrailerItIsWhole) {
   EXPECT_EQ(read.count("messages used: trailer (0x6120)"), 1U);
 }
 
+// L14.
+TEST(Idc, ASeparatorIsNoDamage) {
+  ibeo::IdcWriter writer;
+  const File scan = writer.add({.type = ibeo::kScanType}, ibeo::encode_scan(lux_scan(5)));
+  const File separator = writer.add({.type = ibeo::kSensorInfoType}, File(8));
+  const File again = writer.add({.type = ibeo::kScanType}, ibeo::encode_scan(lux_scan(5)));
+  const Read read = read_ibeo(joined({scan, separator, again, writer.close()}));
+  EXPECT_THAT(read.errors, IsEmpty());
+  EXPECT_EQ(read.scans.size(), 2U);
+  EXPECT_EQ(read.count("messages of other types"), 1U);
+}
+
 // L17.
 TEST(Idc, WithoutTrailerAllScansAreUsedAndItIsTold) {
   const File file = idc(3, false);
