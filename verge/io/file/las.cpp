@@ -203,16 +203,19 @@ std::vector<std::byte> header_of(const Scan& scan) {
   return std::move(out).take();
 }
 
-std::vector<std::byte> record_of(const Scan& scan, std::size_t i, std::uint8_t ring, double factor) {
+void append_record(ByteWriter& out, const Scan& scan, std::size_t i, std::uint8_t ring, double factor) {
   const std::uint8_t number = return_of(scan, i);
-  ByteWriter out;
   out.le(steps_of(scan.x[i])).le(steps_of(scan.y[i])).le(steps_of(scan.z[i]));
   out.le(to_16_bits(scan.intensity.empty() ? 0.0 : static_cast<double>(scan.intensity[i]) * factor));
-  out.le(static_cast<std::uint8_t>(number | (number << 4U)))
-      .le(std::uint8_t{0})
-      .le(class_of(scan, i))
-      .le(ring);
-  out.zeros(4).le(gps_time_of(scan, i));
+  out.le(static_cast<std::uint8_t>(number | (number << 4U)));
+  out.le(std::uint8_t{0}).le(class_of(scan, i)).le(ring).zeros(4).le(gps_time_of(scan, i));
+}
+
+std::vector<std::byte> records_of(const Scan& scan, std::size_t ring, double factor) {
+  const auto [begin, end] = scan.ring(ring);
+  ByteWriter out;
+  for (std::size_t i = begin; i < end; ++i)
+    append_record(out, scan, i, static_cast<std::uint8_t>(ring), factor);
   return std::move(out).take();
 }
 
@@ -273,11 +276,7 @@ Expected<void> write_las(const std::filesystem::path& path, const Scan& scan, co
   const double factor = intensity_factor(scan.intensity);
   if (auto written = write(*file, header_of(scan)); !written) return written;
   for (std::size_t ring = 0; ring < scan.ring_count(); ++ring) {
-    const auto [begin, end] = scan.ring(ring);
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto record = record_of(scan, i, static_cast<std::uint8_t>(ring), factor);
-      if (auto written = write(*file, record); !written) return written;
-    }
+    if (auto written = write(*file, records_of(scan, ring, factor)); !written) return written;
   }
   log_losses(path, scan, factor, log);
   return file->commit();
