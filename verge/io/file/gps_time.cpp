@@ -37,9 +37,9 @@ std::int64_t unix_of_gps(std::int64_t gps_s) {
 }  // namespace
 
 std::optional<std::int64_t> unix_ns_of_adjusted_gps(double seconds) {
-  const auto adjustment = static_cast<double>(kAdjustment);
-  if (!(seconds >= -adjustment && seconds <= static_cast<double>(kLatestGps - kAdjustment)))
-    return std::nullopt;
+  constexpr auto kFirst = static_cast<double>(-kAdjustment);
+  constexpr auto kLast = static_cast<double>(kLatestGps - kAdjustment);
+  if (std::isnan(seconds) || seconds < kFirst || seconds > kLast) return std::nullopt;
   const double whole = std::floor(seconds);
   const std::int64_t unix_s = unix_of_gps(static_cast<std::int64_t>(whole) + kAdjustment);
   return unix_s * kNs + std::llround((seconds - whole) * 1e9);

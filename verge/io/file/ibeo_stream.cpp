@@ -28,8 +28,8 @@ std::optional<std::string> note_of(const ibeo::Mounting& mounting, std::uint16_t
   const double degrees = 360.0 / ticks_per_turn;
   return fmt::format(
       "mounting is not applied, points stay in the sensor's frame: yaw {:.3f}, pitch {:.3f}, roll {:.3f} "
-      "deg, x {:.2f}, y "
-      "{:.2f}, z {:.2f} m",
+      "deg, "
+      "x {:.2f}, y {:.2f}, z {:.2f} m",
       mounting.yaw_ticks * degrees, mounting.pitch_ticks * degrees, mounting.roll_ticks * degrees,
       0.01 * mounting.x_cm, 0.01 * mounting.y_cm, 0.01 * mounting.z_cm);
 }
