@@ -77,11 +77,8 @@ class ConvertJob {
   }
   [[nodiscard]] const pipeline::Counts& counts() const { return counts_; }
   [[nodiscard]] std::string report(const std::string& out) const {
-    std::string text = fmt::format("verge: {} scans with {} points in {:.1f} s: {}\n", counts_.scans,
-                                   counts_.points.used, seconds(), out);
-    for (const io::Counter& c : inputs_.counters())
-      text += fmt::format("{:<10}  {} {}\n", "counted", c.count, c.name);
-    return text;
+    return fmt::format("verge: {} scans with {} points in {:.1f} s: {}\n", counts_.scans, counts_.points.used,
+                       seconds(), out);
   }
 
  private:

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "verge/core/field_io.hpp"
+#include "verge/io/formats.hpp"
 #include "verge/io/input.hpp"
 #include "verge/io/sniff.hpp"
 #include "verge/model/scene.hpp"
@@ -52,11 +53,11 @@ Expected<io::OpenOptions> options_of(const InputRequest& request, const Log& log
 std::optional<std::size_t> scans_in_file(const std::string& path, const io::OpenOptions& options) {
   if (!std::filesystem::is_regular_file(path)) return std::nullopt;
   if (options.format)
-    return io::holds_many_scans(*options.format) ? std::nullopt : std::optional<std::size_t>(1);
+    return io::facts_of(*options.format).many_scans ? std::nullopt : std::optional<std::size_t>(1);
   auto input = io::Input::open(path, {options.memory_max_bytes, options.timeout_ms});
   const auto format = input ? io::sniff(*input) : Unexpected(input.error());
   // What no format fits is one damaged scan, said when its turn comes.
-  return format && io::holds_many_scans(*format) ? std::nullopt : std::optional<std::size_t>(1);
+  return format && io::facts_of(*format).many_scans ? std::nullopt : std::optional<std::size_t>(1);
 }
 
 void add_up(std::vector<io::Counter>& all, const std::vector<io::Counter>& more) {

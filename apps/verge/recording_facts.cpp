@@ -190,7 +190,9 @@ std::string to_text(const RecordingFacts& facts) {
               fmt::format("x, y, z{}{}", facts.fields.empty() ? "" : ", ", fmt::join(facts.fields, ", ")));
   text += row("time", time_text(facts));
   text += row("mount", mount_text(facts));
-  for (const io::Counter& c : facts.counters) text += row("counted", fmt::format("{} {}", c.count, c.name));
+  for (const io::Counter& c : facts.counters) {
+    if (c.count > 0) text += row("counted", fmt::format("{} {}", c.count, c.name));
+  }
   for (const std::string& note : facts.notes) text += row("note", escape_control_bytes(note));
   return text;
 }

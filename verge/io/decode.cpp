@@ -11,9 +11,11 @@
 
 #include "verge/io/file/csv.hpp"
 #include "verge/io/file/kitti.hpp"
+#include "verge/io/file/las.hpp"
 #include "verge/io/file/nuscenes.hpp"
 #include "verge/io/file/pcd.hpp"
 #include "verge/io/file/ply.hpp"
+#include "verge/io/formats.hpp"
 #include "verge/io/sniff.hpp"
 
 namespace verge::io {
@@ -30,9 +32,14 @@ Expected<Decoded> read_format(Input& input, Format format) {
     case Format::kPly:
       return read_ply(input);
     case Format::kCsv:
+      return read_csv(input);
+    case Format::kLas:
+      return read_las(input);
+    default:
       break;
   }
-  return read_csv(input);
+  return Unexpected(
+      input.error_at(ErrorCode::kUsage, 0, fmt::format("{} is a recording, not a scan", name_of(format))));
 }
 
 bool is_denormal(float value) {

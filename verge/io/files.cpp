@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "verge/io/formats.hpp"
 #include "verge/io/sniff.hpp"
 
 namespace verge::io {
@@ -41,7 +42,7 @@ std::string kind_of(const fs::path& path) {
 
 std::string kind_of(Format format) {
   if (format == Format::kKitti || format == Format::kNuscenes) return ".bin";
-  return fmt::format(".{}", enum_names<Format>[static_cast<std::size_t>(format)]);
+  return std::string(facts_of(format).suffix);
 }
 
 Error cannot_open(const fs::path& folder, const std::error_code& error) {

@@ -11,10 +11,14 @@
 #include <sys/stat.h>
 
 #include "verge/io/decode.hpp"
+#include "verge/io/file/alasca_stream.hpp"
+#include "verge/io/file/ibeo_stream.hpp"
 #include "verge/io/files.hpp"
+#include "verge/io/formats.hpp"
 #include "verge/io/kitti_sequence.hpp"
 #include "verge/io/notes.hpp"
 #include "verge/io/nuscenes_tables.hpp"
+#include "verge/io/recording_source.hpp"
 #include "verge/io/sniff.hpp"
 #include "verge/io/source.hpp"
 
@@ -61,8 +65,7 @@ Expected<Input> FileSource::open_next() {
 
 void FileSource::report(const DecodedScan& decoded, const fs::path& file) {
   if (name_lies(file, decoded.format)) {
-    const std::string_view format = enum_names<Format>[static_cast<std::size_t>(decoded.format)];
-    notes_.once(options_.log, file.string(), fmt::format("is {} by its content", format));
+    notes_.once(options_.log, file.string(), fmt::format("is {} by its content", name_of(decoded.format)));
   }
   for (const std::string& text : decoded.notes) notes_.once(options_.log, file.string(), text);
   notes_.rings(options_.log, file.string(), decoded.organised);
@@ -136,11 +139,37 @@ Expected<std::unique_ptr<Source>> open_folder(const fs::path& folder, const Open
   return source;
 }
 
+RecordingOptions recording_options(const OpenOptions& options) {
+  return {.topic = options.topic,
+          .sensor_ip = options.sensor_ip,
+          .model = options.model,
+          .calibration = options.calibration,
+          .log = options.log};
+}
+
+Expected<std::unique_ptr<Recording>> open_recording(Input input, Format format, const OpenOptions& options) {
+  switch (format) {
+    case Format::kIbeo:
+      return open_ibeo(std::move(input), recording_options(options));
+    case Format::kAlasca:
+      return open_alasca(std::move(input), recording_options(options));
+    default:
+      break;
+  }
+  return Unexpected(
+      input.error_at(ErrorCode::kUsage, 0, fmt::format("{} is a scan, not a recording", name_of(format))));
+}
+
 Expected<std::unique_ptr<Source>> open_file(const fs::path& path, const OpenOptions& options) {
   auto input = Input::open(path, limits_of(options));
   if (!input) return Unexpected(input.error());
   const auto format = options.format ? Expected<Format>(*options.format) : sniff(*input);
   if (!format) return Unexpected(format.error());
+  if (facts_of(*format).many_scans) {
+    auto recording = open_recording(*std::move(input), *format, options);
+    if (!recording) return Unexpected(std::move(recording).error());
+    return source_of(*std::move(recording), {*format, {path}, {}}, options);
+  }
   auto source = std::make_unique<FileSource>(options, info_of(*format, slice(std::vector{path}, options)));
   if (!source->info().files.empty()) source->hold(std::move(*input));
   if (*format == Format::kKitti) {
@@ -158,18 +187,6 @@ Expected<std::unique_ptr<Source>> open_file(const fs::path& path, const OpenOpti
 }
 
 }  // namespace
-
-bool holds_many_scans(Format format) {
-  switch (format) {
-    case Format::kKitti:
-    case Format::kNuscenes:
-    case Format::kPcd:
-    case Format::kPly:
-    case Format::kCsv:
-      break;
-  }
-  return false;
-}
 
 Expected<std::unique_ptr<Source>> open(const fs::path& path, const OpenOptions& options) {
   struct stat status {};

@@ -13,10 +13,11 @@
 #include "verge/core/atomic_file.hpp"
 #include "verge/io/file/csv.hpp"
 #include "verge/io/file/kitti.hpp"
+#include "verge/io/file/las.hpp"
 #include "verge/io/file/nuscenes.hpp"
 #include "verge/io/file/pcd.hpp"
 #include "verge/io/file/ply.hpp"
-#include "verge/io/sniff.hpp"
+#include "verge/io/formats.hpp"
 
 namespace verge::io {
 namespace fs = std::filesystem;
@@ -24,14 +25,6 @@ namespace {
 
 Error usage_error(const fs::path& path, std::string what, std::string need = {}) {
   return {ErrorCode::kUsage, path.string(), {}, std::move(what), {}, std::move(need)};
-}
-
-std::string_view name_of(Format format) { return enum_names<Format>[static_cast<std::size_t>(format)]; }
-
-std::string suffix_of(Format format) {
-  if (format == Format::kKitti) return ".bin";
-  if (format == Format::kNuscenes) return ".pcd.bin";
-  return fmt::format(".{}", name_of(format));
 }
 
 Expected<void> write_scan(Format format, const fs::path& path, const Scan& scan) {
@@ -45,9 +38,13 @@ Expected<void> write_scan(Format format, const fs::path& path, const Scan& scan)
     case Format::kPly:
       return write_ply(path, scan);
     case Format::kCsv:
+      return write_csv(path, scan);
+    case Format::kLas:
+      return write_las(path, scan);
+    default:
       break;
   }
-  return write_csv(path, scan);
+  return Unexpected(usage_error(path, fmt::format("{} is not written", name_of(format))));
 }
 
 /// One scan in one file: held until it is known that there is no second one.
@@ -92,7 +89,7 @@ class FolderSink final : public Sink {
     // KITTI's times belong to scans by number.
     const std::string name = format_ == Format::kKitti ? fmt::format("{:06}", count_) : scan.frame;
     ++count_;
-    return write_scan(format_, scans_ / (name + suffix_of(format_)), scan);
+    return write_scan(format_, scans_ / fmt::format("{}{}", name, facts_of(format_).suffix), scan);
   }
   [[nodiscard]] Expected<void> finish() override {
     if (format_ != Format::kKitti || count_ == 0) return {};
@@ -137,43 +134,22 @@ class FolderSink final : public Sink {
 
 std::vector<std::string_view> names_that_can_be_written() {
   std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < enum_names<Format>.size(); ++i) {
-    if (can_write(static_cast<Format>(i))) names.push_back(enum_names<Format>[i]);
+  for (const Format format : all_formats()) {
+    if (facts_of(format).written) names.push_back(name_of(format));
   }
   return names;
 }
 
 }  // namespace
 
-bool can_write(Format format) {
-  switch (format) {
-    case Format::kKitti:
-    case Format::kNuscenes:
-    case Format::kPcd:
-    case Format::kPly:
-    case Format::kCsv:
-      return true;
-  }
-  return false;
-}
-
-std::optional<Format> format_for_writing(const fs::path& path) {
-  const std::string suffix = scan_suffix(path);
-  for (std::size_t i = 0; i < enum_names<Format>.size(); ++i) {
-    const auto format = static_cast<Format>(i);
-    if (can_write(format) && suffix == suffix_of(format)) return format;
-  }
-  return std::nullopt;
-}
-
 Expected<std::unique_ptr<Sink>> create(const fs::path& path, const SinkOptions& options) {
-  const auto named = format_for_writing(path);
+  const auto named = format_of_name(path);
   const auto format = options.format ? options.format : named;
   if (!format) {
     return Unexpected(usage_error(path, "the name says no format that can be written",
                                   fmt::format("--to {}", fmt::join(names_that_can_be_written(), ", "))));
   }
-  if (!can_write(*format)) {
+  if (!facts_of(*format).written) {
     return Unexpected(usage_error(path, fmt::format("{} is read but not written", name_of(*format)),
                                   fmt::format("{}", fmt::join(names_that_can_be_written(), ", "))));
   }

@@ -31,12 +31,6 @@ class Sink {
   [[nodiscard]] virtual Expected<void> finish() = 0;
 };
 
-/// Formats that create() writes.
-[[nodiscard]] bool can_write(Format format);
-
-/// The format that a name's suffix asks for; none where it says nothing (a folder).
-[[nodiscard]] std::optional<Format> format_for_writing(const std::filesystem::path& path);
-
 /// A sink for that path. A format of one scan a file, and a path without its suffix: a folder, made where it
 /// is not there, with a file FRAME.SUFFIX for each scan; KITTI's is FOLDER/velodyne/NUMBER.bin, with
 /// FOLDER/times.txt beside where every scan has a time (read back to the nanosecond), and poses.txt with

@@ -188,7 +188,8 @@ TEST(Sink, ANameThatSaysNoFormatIsAUsageError) {
   const auto sink = create(folder.path() / "out");
   ASSERT_FALSE(sink);
   EXPECT_EQ(sink.error().code, ErrorCode::kUsage);
-  EXPECT_NE(sink.error().need.find("kitti, nuscenes, pcd, ply, csv"), std::string::npos) << sink.error().need;
+  EXPECT_NE(sink.error().need.find("kitti, nuscenes, pcd, ply, csv, las"), std::string::npos)
+      << sink.error().need;
 }
 
 TEST(Sink, AFolderThatCannotBeMadeIsSaid) {

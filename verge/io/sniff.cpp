@@ -2,30 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/sniff.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
+#include "verge/io/file/alasca_stream.hpp"
 #include "verge/io/file/csv.hpp"
 #include "verge/io/file/floats.hpp"
+#include "verge/io/file/ibeo_stream.hpp"
+#include "verge/io/formats.hpp"
 #include "verge/io/text.hpp"
 
 namespace verge::io {
 namespace {
 
 constexpr std::uint64_t kLook = 64ULL << 10U;
-constexpr std::array<std::string_view, 5> kSuffixes{".pcd.bin", ".bin", ".pcd", ".ply", ".csv"};
-
-std::string lower_name(const std::filesystem::path& path) {
-  std::string name = path.filename().string();
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
-}
-
 /// What packed the file, if something did that we do not unpack.
 std::string_view packer_of(std::string_view head) {
   using namespace std::string_view_literals;
@@ -107,21 +100,24 @@ Expected<Format> choose_bin(const Input& input, const BinCheck& check, std::opti
   return 2 * check.nuscenes.rings >= check.nuscenes.rows ? Format::kNuscenes : Format::kKitti;
 }
 
-std::optional<Format> format_of_suffix(std::string_view suffix) {
-  if (suffix == ".pcd") return Format::kPcd;
-  if (suffix == ".ply") return Format::kPly;
-  if (suffix == ".csv") return Format::kCsv;
+/// By the bytes that every file of the format begins with, or that its messages begin with.
+std::optional<Format> format_of_magic(Bytes head) {
+  const std::string_view text = as_text(head);
+  if (is_ply(text)) return Format::kPly;
+  if (is_pcd(text)) return Format::kPcd;
+  if (text.starts_with("LASF")) return Format::kLas;
+  if (is_ibeo(head)) return Format::kIbeo;
+  if (is_alasca(head)) return Format::kAlasca;
+  if (looks_like_table(text)) return Format::kCsv;
   return std::nullopt;
 }
 
 }  // namespace
 
 std::string scan_suffix(const std::filesystem::path& path) {
-  const std::string name = lower_name(path);
-  for (const std::string_view suffix : kSuffixes) {
-    if (name.size() > suffix.size() && name.ends_with(suffix)) return std::string(suffix);
-  }
-  return {};
+  const auto format = format_of_name(path);
+  if (!format || facts_of(*format).many_scans) return {};
+  return std::string(facts_of(*format).suffix);
 }
 
 std::string frame_name(const std::filesystem::path& path) {
@@ -131,10 +127,12 @@ std::string frame_name(const std::filesystem::path& path) {
 }
 
 bool name_lies(const std::filesystem::path& path, Format format) {
-  const std::string suffix = scan_suffix(path);
-  if (suffix.empty()) return false;
-  if (suffix.ends_with(".bin")) return format != Format::kKitti && format != Format::kNuscenes;
-  return format_of_suffix(suffix) != format;
+  const auto named = format_of_name(path);
+  if (!named) return false;
+  // .bin says no more than that it is binary.
+  const bool bin = *named == Format::kKitti || *named == Format::kNuscenes;
+  const bool is_bin = format == Format::kKitti || format == Format::kNuscenes || facts_of(format).many_scans;
+  return bin ? !is_bin : *named != format;
 }
 
 Expected<Format> sniff(Input& input, std::optional<Format> bin) {
@@ -142,10 +140,8 @@ Expected<Format> sniff(Input& input, std::optional<Format> bin) {
   const auto bytes = input.head(kLook);
   if (!bytes) return Unexpected(bytes.error());
   const std::string_view head = as_text(*bytes);
-  if (is_ply(head)) return Format::kPly;
-  if (is_pcd(head)) return Format::kPcd;
-  if (looks_like_table(head)) return Format::kCsv;
-  const std::string suffix = scan_suffix(input.name());
+  if (const auto format = format_of_magic(*bytes)) return *format;
+  const auto named = format_of_name(input.name());
   const BinCheck check = check_bin(input, *bytes);
   if (check.beyond_doubt()) return choose_bin(input, check, bin);
   if (const std::string_view packer = packer_of(head); !packer.empty()) {
@@ -156,10 +152,10 @@ Expected<Format> sniff(Input& input, std::optional<Format> bin) {
     return Unexpected(
         input.error_at(ErrorCode::kUnusable, 0, "is UTF-16 text", "a UTF-16 byte order mark", "UTF-8"));
   }
-  if (suffix.ends_with(".bin")) return choose_bin(input, check, bin);
-  if (const auto named = format_of_suffix(suffix)) return *named;  // its reader says what is wrong
+  if (named == Format::kKitti || named == Format::kNuscenes) return choose_bin(input, check, bin);
+  if (named) return *named;  // its reader says what is wrong
   return Unexpected(input.error_at(ErrorCode::kUnusable, 0, "no known format fits", {},
-                                   "kitti, nuscenes, pcd, ply or csv"));
+                                   fmt::format("{}", fmt::join(enum_names<Format>, ", "))));
 }
 
 }  // namespace verge::io

@@ -98,7 +98,7 @@ TEST(Sniff, WhatFitsNothingSaysWhatWasTried) {
   const auto format = sniffed("Dear reader, this is a letter.\n", "letter");
   ASSERT_FALSE(format);
   EXPECT_EQ(format.error().code, ErrorCode::kUnusable);
-  EXPECT_THAT(to_string(format.error()), HasSubstr("kitti, nuscenes, pcd, ply or csv"));
+  EXPECT_THAT(to_string(format.error()), HasSubstr("kitti, nuscenes, pcd, ply, csv, las"));
 }
 
 }  // namespace verge::io

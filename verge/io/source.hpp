@@ -22,20 +22,17 @@
 
 namespace verge::io {
 
-/// File formats that hold scans.
-enum class Format : std::uint8_t { kKitti, kNuscenes, kPcd, kPly, kCsv };
+/// File formats that hold scans; formats.hpp has their facts.
+enum class Format : std::uint8_t { kKitti, kNuscenes, kPcd, kPly, kCsv, kLas, kIbeo, kAlasca };
 }  // namespace verge::io
 
 namespace verge {
 template <>
 inline constexpr std::array enum_names<io::Format> =
-    std::to_array<std::string_view>({"kitti", "nuscenes", "pcd", "ply", "csv"});
+    std::to_array<std::string_view>({"kitti", "nuscenes", "pcd", "ply", "csv", "las", "ibeo", "alasca"});
 }  // namespace verge
 
 namespace verge::io {
-
-/// Whether one file of the format holds many scans.
-[[nodiscard]] bool holds_many_scans(Format format);
 
 /// How to open a recording.
 struct OpenOptions {
