@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/io/file/velodyne_scans.hpp"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "verge/io/input.hpp"
+#include "verge/sensor/velodyne/calibration.hpp"
+#include "verge/sensor/velodyne/facts.hpp"
+
+namespace verge::io {
+namespace {
+
+namespace velodyne = sensor::velodyne;
+
+std::optional<Decoded> decoded(std::optional<velodyne::Revolution> revolution) {
+  constexpr double kComplete = 0.98;
+  if (!revolution) return std::nullopt;
+  Decoded out;
+  out.cloud = std::move(revolution->cloud);
+  out.stamp_ns = revolution->stamp_ns;
+  if (revolution->completeness < kComplete)
+    out.notes.push_back(fmt::format("revolution is {:.0f} % complete", 100.0 * revolution->completeness));
+  if (revolution->stalled) out.notes.emplace_back("the head stands still");
+  return out;
+}
+
+Error usage(const std::string& name, std::string what, std::string got, std::string need) {
+  return {ErrorCode::kUsage, name, {}, std::move(what), std::move(got), std::move(need)};
+}
+
+Expected<velodyne::Calibration> read_calibration_file(const std::filesystem::path& path, std::size_t lasers) {
+  constexpr std::uint64_t kMost = (1ULL << 20U) + 1;  // what read_calibration() refuses
+  auto file = Input::open(path, {});
+  if (!file) return Unexpected(std::move(file).error());
+  const auto bytes = file->head(kMost);
+  if (!bytes) return Unexpected(bytes.error());
+  return velodyne::read_calibration(*bytes, path.string(), lasers);
+}
+
+}  // namespace
+
+Expected<VelodyneScans> VelodyneScans::create(const RecordingOptions& options, const std::string& name) {
+  velodyne::DecoderConfig config;
+  if (options.model) {
+    config.model = velodyne::model_named(*options.model);
+    if (!config.model) {
+      return Unexpected(
+          usage(name, "no such Velodyne model", *options.model, "hdl32e, vlp16, vlp32c or hdl64e"));
+    }
+  }
+  if (options.calibration) {
+    if (!config.model)
+      return Unexpected(usage(name, "a calibration needs its model, choose --model", {}, {}));
+    auto calibration = read_calibration_file(*options.calibration, velodyne::facts_of(*config.model).lasers);
+    if (!calibration) return Unexpected(std::move(calibration).error());
+    config.calibration = *std::move(calibration);
+  }
+  return VelodyneScans(std::move(config));
+}
+
+std::optional<Decoded> VelodyneScans::take() { return decoded(decoder_.take()); }
+std::optional<Decoded> VelodyneScans::finish() { return decoded(decoder_.finish()); }
+
+std::vector<Counter> VelodyneScans::counters() const {
+  const velodyne::Counters& c = decoder_.counters();
+  const velodyne::PointCounters& p = c.points;
+  return {{"packets received", c.packets},
+          {"packets used", c.data},
+          {"packets of position", c.positions},
+          {"packets of another size", c.rejected_size},
+          {"packets of another model", c.rejected_model},
+          {"packets sent twice", c.duplicates},
+          {"packets too late", c.late},
+          {"blocks received", c.blocks},
+          {"blocks used", c.blocks_used},
+          {"blocks of an unknown flag", c.rejected_flag},
+          {"blocks beyond 360 degrees", c.rejected_azimuth},
+          {"blocks out of turn", c.rejected_turn},
+          {"measurements received", p.measured},
+          {"measurements used", p.used},
+          {"measurements without return", p.no_return},
+          {"measurements too near", p.below_min},
+          {"measurements too far", p.above_max},
+          {"measurements of the same echo", p.same_echo}};
+}
+
+}  // namespace verge::io

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verge/core/bytes.hpp"
+#include "verge/core/error.hpp"
+#include "verge/io/recording.hpp"
+#include "verge/sensor/velodyne/revolutions.hpp"
+
+namespace verge::io {
+
+/// Packets of one Velodyne sensor to scans, whatever kind of recording they stand in.
+class VelodyneScans {
+ public:
+  /// With the options' model (or that of the first packet) and calibration. Fails with kUsage where there is
+  /// no such model, or a calibration without one, and as the calibration's file does; `name` stands in the
+  /// error.
+  [[nodiscard]] static Expected<VelodyneScans> create(const RecordingOptions& options,
+                                                      const std::string& name);
+
+  /// A payload of 1206 bytes (others are counted) and when it was received, ns since the Unix epoch.
+  void add(Bytes payload, std::int64_t received_ns) { decoder_.add(payload, received_ns); }
+  /// A complete revolution, oldest first.
+  [[nodiscard]] std::optional<Decoded> take();
+  /// At the end: what is left, until there is none.
+  [[nodiscard]] std::optional<Decoded> finish();
+  /// Packets received and what became of them, then the same of blocks and of measurements.
+  [[nodiscard]] std::vector<Counter> counters() const;
+
+ private:
+  explicit VelodyneScans(sensor::velodyne::DecoderConfig config) : decoder_(std::move(config)) {}
+
+  sensor::velodyne::RevolutionDecoder decoder_;
+};
+
+}  // namespace verge::io
