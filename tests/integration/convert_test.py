@@ -54,7 +54,7 @@ class Convert(CliTest):
     def test_a_name_without_a_format_is_a_usage_error(self):
         self.write("scan.pcd", pcd(POINTS))
         for out in ("out", "out.xyz"):
-            self.check_refused(self.convert("scan.pcd", out), 2, "--to kitti, nuscenes, pcd, ply, csv, las")
+            self.check_refused(self.convert("scan.pcd", out), 2, "--to kitti, nuscenes, pcd, ply, csv, las, mcap")
 
 
 if __name__ == "__main__":

@@ -13,6 +13,10 @@
 #include "verge/io/decode.hpp"
 #include "verge/io/file/alasca_stream.hpp"
 #include "verge/io/file/ibeo_stream.hpp"
+#include "verge/io/file/mcap.hpp"
+#include "verge/io/file/pcap.hpp"
+#include "verge/io/file/rosbag1.hpp"
+#include "verge/io/file/rosbag2.hpp"
 #include "verge/io/files.hpp"
 #include "verge/io/formats.hpp"
 #include "verge/io/kitti_sequence.hpp"
@@ -111,6 +115,14 @@ Expected<Format> first_format(const std::vector<fs::path>& files, const OpenOpti
   return Unexpected(*trouble);
 }
 
+RecordingOptions recording_options(const OpenOptions& options) {
+  return {.topic = options.topic,
+          .sensor_ip = options.sensor_ip,
+          .model = options.model,
+          .calibration = options.calibration,
+          .log = options.log};
+}
+
 /// Rows of the scans asked for alone.
 void attach_nuscenes(FileSource& source, const OpenOptions& options) {
   const std::vector<fs::path>& files = source.info().files;
@@ -119,7 +131,19 @@ void attach_nuscenes(FileSource& source, const OpenOptions& options) {
   source.attach(find_nuscenes_track(files, options.log), std::move(rows));
 }
 
+/// A ROS 2 recording is a folder: its files one after the other.
+Expected<std::unique_ptr<Source>> open_rosbag2(const fs::path& folder, std::vector<fs::path> files,
+                                               const OpenOptions& options) {
+  const Format format = format_of_name(files.front()).value_or(Format::kDb3);
+  auto recording = open_rosbag2_folder(folder, limits_of(options), recording_options(options));
+  if (!recording) return Unexpected(std::move(recording).error());
+  return source_of(*std::move(recording), {format, std::move(files), {}}, options);
+}
+
 Expected<std::unique_ptr<Source>> open_folder(const fs::path& folder, const OpenOptions& options) {
+  if (auto files = find_rosbag2_files(folder); !files.empty()) {
+    return open_rosbag2(folder, std::move(files), options);
+  }
   auto found = find_scan_files(folder, options.format);
   if (!found) return Unexpected(found.error());
   const auto format = first_format(found->files, options);
@@ -139,20 +163,20 @@ Expected<std::unique_ptr<Source>> open_folder(const fs::path& folder, const Open
   return source;
 }
 
-RecordingOptions recording_options(const OpenOptions& options) {
-  return {.topic = options.topic,
-          .sensor_ip = options.sensor_ip,
-          .model = options.model,
-          .calibration = options.calibration,
-          .log = options.log};
-}
-
 Expected<std::unique_ptr<Recording>> open_recording(Input input, Format format, const OpenOptions& options) {
   switch (format) {
     case Format::kIbeo:
       return open_ibeo(std::move(input), recording_options(options));
     case Format::kAlasca:
       return open_alasca(std::move(input), recording_options(options));
+    case Format::kPcap:
+      return open_pcap(std::move(input), recording_options(options));
+    case Format::kBag:
+      return open_rosbag1(std::move(input), recording_options(options));
+    case Format::kDb3:
+      return open_db3(std::move(input), recording_options(options));
+    case Format::kMcap:
+      return open_mcap(std::move(input), recording_options(options));
     default:
       break;
   }

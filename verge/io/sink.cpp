@@ -14,6 +14,7 @@
 #include "verge/io/file/csv.hpp"
 #include "verge/io/file/kitti.hpp"
 #include "verge/io/file/las.hpp"
+#include "verge/io/file/mcap_writer.hpp"
 #include "verge/io/file/nuscenes.hpp"
 #include "verge/io/file/pcd.hpp"
 #include "verge/io/file/ply.hpp"
@@ -132,6 +133,18 @@ class FolderSink final : public Sink {
   std::string poses_;
 };
 
+/// All scans in one recording.
+class McapSink final : public Sink {
+ public:
+  explicit McapSink(McapWriter writer) : writer_(std::move(writer)) {}
+
+  [[nodiscard]] Expected<void> write(const Scan& scan) override { return writer_.add(scan); }
+  [[nodiscard]] Expected<void> finish() override { return writer_.finish(); }
+
+ private:
+  McapWriter writer_;
+};
+
 std::vector<std::string_view> names_that_can_be_written() {
   std::vector<std::string_view> names;
   for (const Format format : all_formats()) {
@@ -152,6 +165,11 @@ Expected<std::unique_ptr<Sink>> create(const fs::path& path, const SinkOptions& 
   if (!facts_of(*format).written) {
     return Unexpected(usage_error(path, fmt::format("{} is read but not written", name_of(*format)),
                                   fmt::format("{}", fmt::join(names_that_can_be_written(), ", "))));
+  }
+  if (*format == Format::kMcap) {
+    auto writer = McapWriter::create(path);
+    if (!writer) return Unexpected(std::move(writer).error());
+    return std::make_unique<McapSink>(*std::move(writer));
   }
   if (named && !fs::is_directory(path)) return std::make_unique<FileSink>(*format, path);
   auto sink = std::make_unique<FolderSink>(*format, path);

@@ -31,12 +31,12 @@ class Sink {
   [[nodiscard]] virtual Expected<void> finish() = 0;
 };
 
-/// A sink for that path. A format of one scan a file, and a path without its suffix: a folder, made where it
-/// is not there, with a file FRAME.SUFFIX for each scan; KITTI's is FOLDER/velodyne/NUMBER.bin, with
-/// FOLDER/times.txt beside where every scan has a time (read back to the nanosecond), and poses.txt with
-/// calib.txt where every scan has a pose. Points and what the
-/// format holds of them come back bit for bit (see the format's write function). Fails with kUsage (no format
-/// for that name, or one that is only read) and kCannotWrite.
+/// A sink for that path. An .mcap is one recording of all scans. A format of one scan a file, and a path
+/// without its suffix: a folder, made where it is not there, with a file FRAME.SUFFIX for each scan; KITTI's
+/// is FOLDER/velodyne/NUMBER.bin, with FOLDER/times.txt beside where every scan has a time (read back to the
+/// nanosecond), and poses.txt with calib.txt where every scan has a pose. Points and what the format holds of
+/// them come back bit for bit (see the format's write function). Fails with kUsage (no format for that name,
+/// or one that is only read) and kCannotWrite.
 [[nodiscard]] Expected<std::unique_ptr<Sink>> create(const std::filesystem::path& path,
                                                      const SinkOptions& options = {});
 

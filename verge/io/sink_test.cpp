@@ -169,6 +169,25 @@ TEST(Sink, AFolderHoldsManyScansByTheirNames) {
   EXPECT_EQ(back[1].frame, "000007");
 }
 
+TEST(Sink, ARecordingHoldsManyScansAndTheirTimes) {
+  const testing::TemporaryFolder folder;
+  std::vector<Scan> scans{full_scan(), full_scan(), full_scan()};
+  for (std::size_t i = 0; i < scans.size(); ++i)
+    scans[i].stamp_ns = kStamp + 100'000'007 * static_cast<int>(i);
+  write_all(folder.path() / "drive.mcap", scans);
+  const auto back = read_all(folder.path() / "drive.mcap");
+  ASSERT_EQ(back.size(), 3U);
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    EXPECT_EQ(back[i].stamp_ns, scans[i].stamp_ns);
+    EXPECT_EQ(back[i].time_offset_ns, scans[i].time_offset_ns);
+    EXPECT_EQ(back[i].x, scans[i].x);
+    EXPECT_EQ(back[i].y, scans[i].y);
+    EXPECT_EQ(back[i].z, scans[i].z);
+    EXPECT_EQ(back[i].intensity, scans[i].intensity);
+    EXPECT_EQ(back[i].ring_begin, scans[i].ring_begin);
+  }
+}
+
 TEST(Sink, AFileOfOneScanRefusesASecondAndDoesNotAppear) {
   const testing::TemporaryFolder folder;
   const fs::path file = folder.write("scan.pcd", "old");
@@ -188,7 +207,7 @@ TEST(Sink, ANameThatSaysNoFormatIsAUsageError) {
   const auto sink = create(folder.path() / "out");
   ASSERT_FALSE(sink);
   EXPECT_EQ(sink.error().code, ErrorCode::kUsage);
-  EXPECT_NE(sink.error().need.find("kitti, nuscenes, pcd, ply, csv, las"), std::string::npos)
+  EXPECT_NE(sink.error().need.find("kitti, nuscenes, pcd, ply, csv, las, mcap"), std::string::npos)
       << sink.error().need;
 }
 

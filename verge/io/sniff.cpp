@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/sniff.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "verge/io/file/csv.hpp"
 #include "verge/io/file/floats.hpp"
 #include "verge/io/file/ibeo_stream.hpp"
+#include "verge/io/file/rosbag1.hpp"
 #include "verge/io/formats.hpp"
 #include "verge/io/text.hpp"
 
@@ -100,12 +102,26 @@ Expected<Format> choose_bin(const Input& input, const BinCheck& check, std::opti
   return 2 * check.nuscenes.rings >= check.nuscenes.rows ? Format::kNuscenes : Format::kKitti;
 }
 
+/// pcap in both orders of bytes, with microseconds or nanoseconds, and pcapng.
+bool is_pcap(std::string_view head) {
+  using namespace std::string_view_literals;
+  constexpr std::array kMagics{"\xD4\xC3\xB2\xA1"sv, "\xA1\xB2\xC3\xD4"sv, "\x4D\x3C\xB2\xA1"sv,
+                               "\xA1\xB2\x3C\x4D"sv, "\x0A\x0D\x0D\x0A"sv};
+  return std::any_of(kMagics.begin(), kMagics.end(),
+                     [&](std::string_view magic) { return head.starts_with(magic); });
+}
+
 /// By the bytes that every file of the format begins with, or that its messages begin with.
 std::optional<Format> format_of_magic(Bytes head) {
   const std::string_view text = as_text(head);
   if (is_ply(text)) return Format::kPly;
   if (is_pcd(text)) return Format::kPcd;
   if (text.starts_with("LASF")) return Format::kLas;
+  if (is_pcap(text)) return Format::kPcap;
+  if (text.starts_with(kRosbag1Magic)) return Format::kBag;
+  if (text.starts_with("SQLite format 3")) return Format::kDb3;
+  if (text.starts_with("\x89MCAP")) return Format::kMcap;
+  // These have no header of their own: last, since a capture may hold their messages.
   if (is_ibeo(head)) return Format::kIbeo;
   if (is_alasca(head)) return Format::kAlasca;
   if (looks_like_table(text)) return Format::kCsv;

@@ -23,13 +23,26 @@
 namespace verge::io {
 
 /// File formats that hold scans; formats.hpp has their facts.
-enum class Format : std::uint8_t { kKitti, kNuscenes, kPcd, kPly, kCsv, kLas, kIbeo, kAlasca };
+enum class Format : std::uint8_t {
+  kKitti,
+  kNuscenes,
+  kPcd,
+  kPly,
+  kCsv,
+  kLas,
+  kIbeo,
+  kAlasca,
+  kPcap,
+  kBag,
+  kDb3,
+  kMcap
+};
 }  // namespace verge::io
 
 namespace verge {
 template <>
-inline constexpr std::array enum_names<io::Format> =
-    std::to_array<std::string_view>({"kitti", "nuscenes", "pcd", "ply", "csv", "las", "ibeo", "alasca"});
+inline constexpr std::array enum_names<io::Format> = std::to_array<std::string_view>(
+    {"kitti", "nuscenes", "pcd", "ply", "csv", "las", "ibeo", "alasca", "pcap", "bag", "db3", "mcap"});
 }  // namespace verge
 
 namespace verge::io {
