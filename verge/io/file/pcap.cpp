@@ -13,8 +13,9 @@
 
 #include "verge/io/file/capture.hpp"
 #include "verge/io/file/datagram.hpp"
-#include "verge/sensor/velodyne/calibration.hpp"
-#include "verge/sensor/velodyne/revolutions.hpp"
+#include "verge/io/file/velodyne_scans.hpp"
+#include "verge/sensor/velodyne/facts.hpp"
+#include "verge/sensor/velodyne/packet.hpp"
 
 namespace verge::io {
 namespace {
@@ -105,15 +106,6 @@ Expected<std::optional<IpAddress>> choose(const Input& input, const Survey& surv
   return *survey.sensors.begin();
 }
 
-Expected<velodyne::Calibration> read_calibration_file(const std::filesystem::path& path, std::size_t lasers) {
-  constexpr std::uint64_t kMost = (1ULL << 20U) + 1;
-  auto file = Input::open(path, {});
-  if (!file) return Unexpected(file.error());
-  const auto bytes = file->head(kMost);
-  if (!bytes) return Unexpected(bytes.error());
-  return velodyne::read_calibration(*bytes, path.string(), lasers);
-}
-
 /// The first data packet's model, for a calibration that has to be of it.
 std::optional<velodyne::Model> first_model(Capture& capture, const std::optional<IpAddress>& sensor) {
   DatagramReader reader(capture.link_type());
@@ -130,12 +122,11 @@ std::optional<velodyne::Model> first_model(Capture& capture, const std::optional
 
 class PcapRecording final : public Recording {
  public:
-  PcapRecording(Capture capture, std::optional<IpAddress> sensor, velodyne::DecoderConfig config, Log log)
+  PcapRecording(Capture capture, std::optional<IpAddress> sensor, VelodyneScans scans, Log log)
       : capture_(std::move(capture)),
         reader_(capture_.link_type()),
         sensor_(sensor),
-        own_angles_(config.calibration.has_value()),
-        decoder_(std::move(config)),
+        scans_(std::move(scans)),
         log_(std::move(log)) {}
 
   [[nodiscard]] Expected<std::optional<Decoded>> next() override;
@@ -146,13 +137,12 @@ class PcapRecording final : public Recording {
   void take_frame(const CapturedFrame& frame);
   void take_datagram(const Datagram& datagram, std::int64_t time_ns);
   void judge_end();
-  [[nodiscard]] Decoded to_decoded(velodyne::Revolution revolution);
+  void tell_oddities() const;
 
   Capture capture_;
   DatagramReader reader_;
   std::optional<IpAddress> sensor_;
-  bool own_angles_;
-  velodyne::RevolutionDecoder decoder_;
+  VelodyneScans scans_;
   Log log_;
   RecordCounters records_;
   std::uint64_t odd_times_ = 0;
@@ -218,7 +208,7 @@ void PcapRecording::take_datagram(const Datagram& datagram, std::int64_t time_ns
     return;
   }
   ++records_.from_sensor;
-  decoder_.add(datagram.payload, time_ns);
+  scans_.add(datagram.payload, time_ns);
 }
 
 /// What is wrong with the recording as a whole.
@@ -228,7 +218,7 @@ void PcapRecording::judge_end() {
     errors_.push_back(input.error_at(ErrorCode::kDamaged, input.size(), "fragments of datagrams are missing",
                                      fmt::format("{} datagrams", reader_.incomplete()), "0"));
   }
-  const velodyne::Counters& counters = decoder_.counters();
+  const velodyne::Counters& counters = scans_.packets();
   if (counters.data == 0) {
     const std::string got =
         fmt::format("{} of {} packets are of another model", counters.rejected_model, counters.packets);
@@ -237,33 +227,27 @@ void PcapRecording::judge_end() {
   }
 }
 
-Decoded PcapRecording::to_decoded(velodyne::Revolution revolution) {
-  constexpr double kComplete = 0.98;
-  Decoded decoded;
-  decoded.cloud = std::move(revolution.cloud);
-  decoded.stamp_ns = revolution.stamp_ns;
-  if (revolution.completeness < kComplete) {
-    decoded.notes.push_back(fmt::format("revolution is {:.0f} % complete", 100.0 * revolution.completeness));
-  }
-  if (revolution.stalled) decoded.notes.emplace_back("the head stands still");
-  const bool nominal = !own_angles_ && velodyne::facts_of(*decoder_.model()).banks == 2;
-  if (nominal) {
-    decoded.notes.emplace_back(
-        "no calibration given: the usual angles and offsets of the model, "
-        "which are off by up to 1 degree and 0.3 m");
-  }
-  return decoded;
+/// What moved nothing and is still worth a look.
+void PcapRecording::tell_oddities() const {
+  const auto tell = [&](std::uint64_t count, std::string_view what) {
+    if (count > 0) warn(log_, fmt::format("{}: {} {}", capture_.input().name(), count, what));
+  };
+  tell(reader_.odd_lengths(), "datagrams are shorter than their IP packets say");
+  tell(reader_.bad_checksums(), "datagrams have a wrong checksum");
+  tell(odd_times_, "records have a fraction of a second that is more than a second");
+  tell(backward_times_, "records are older than those before them");
 }
 
 Expected<std::optional<Decoded>> PcapRecording::next() {
   while (true) {
-    if (auto revolution = decoder_.take()) return to_decoded(*std::move(revolution));
+    if (auto scan = scans_.take()) return scan;
     if (ended_) break;
     if (read_frame()) continue;
     ended_ = true;
     judge_end();
+    tell_oddities();
   }
-  if (auto revolution = decoder_.finish()) return to_decoded(*std::move(revolution));
+  if (auto scan = scans_.finish()) return scan;
   if (errors_.empty()) return std::nullopt;
   Error error = std::move(errors_.front());
   errors_.erase(errors_.begin());
@@ -271,55 +255,16 @@ Expected<std::optional<Decoded>> PcapRecording::next() {
 }
 
 std::vector<Counter> PcapRecording::counters() const {
-  const velodyne::Counters& c = decoder_.counters();
-  const velodyne::PointCounters& p = c.points;
-  return {{"records", records_.records},
-          {"from the sensor", records_.from_sensor},
-          {"from another sensor", records_.other_sensor},
-          {"to another port", records_.other_port},
-          {"fragments", records_.fragments},
-          {"not UDP", records_.not_udp},
-          {"cut", records_.cut},
-          {"malformed", records_.malformed},
-          {"packets", c.packets},
-          {"data", c.data},
-          {"positions", c.positions},
-          {"of another size", c.rejected_size},
-          {"of another model", c.rejected_model},
-          {"duplicates", c.duplicates},
-          {"late", c.late},
-          {"blocks", c.blocks},
-          {"blocks used", c.blocks_used},
-          {"unknown flag", c.rejected_flag},
-          {"azimuth beyond 360 degrees", c.rejected_azimuth},
-          {"azimuth out of turn", c.rejected_turn},
-          {"measurements", p.measured},
-          {"points", p.used},
-          {"no return", p.no_return},
-          {"too near", p.below_min},
-          {"too far", p.above_max},
-          {"same echo twice", p.same_echo}};
-}
-
-Expected<velodyne::DecoderConfig> config_of(Capture& capture, const std::optional<IpAddress>& sensor,
-                                            const RecordingOptions& options) {
-  velodyne::DecoderConfig config;
-  const Input& input = capture.input();
-  if (options.model) {
-    config.model = velodyne::model_named(*options.model);
-    if (!config.model) {
-      return Unexpected(input.error_at(ErrorCode::kUsage, 0, "no such model", *options.model,
-                                       "hdl32e, vlp16, vlp32c, hdl64e, hdl64e-s1, -s2 or -s3"));
-    }
-  }
-  if (options.calibration) {
-    const auto model = config.model ? config.model : first_model(capture, sensor);
-    if (!model) return Unexpected(input.error_at(ErrorCode::kUnusable, 0, "no packet of a known model"));
-    auto calibration = read_calibration_file(*options.calibration, velodyne::facts_of(*model).lasers);
-    if (!calibration) return Unexpected(calibration.error());
-    config.calibration = *std::move(calibration);
-  }
-  return config;
+  std::vector<Counter> all{{"records received", records_.records},
+                           {"records from the sensor", records_.from_sensor},
+                           {"records from another sensor", records_.other_sensor},
+                           {"records to another port", records_.other_port},
+                           {"records that are fragments", records_.fragments},
+                           {"records that are not UDP", records_.not_udp},
+                           {"records cut", records_.cut},
+                           {"records malformed", records_.malformed}};
+  for (Counter& counter : scans_.counters()) all.push_back(std::move(counter));
+  return all;
 }
 
 }  // namespace
@@ -332,11 +277,12 @@ Expected<std::unique_ptr<Recording>> open_pcap(Input input, const RecordingOptio
   if (!sensor) return Unexpected(sensor.error());
   capture = Capture::reopen(*std::move(capture));
   if (!capture) return Unexpected(capture.error());
-  auto config = config_of(*capture, *sensor, options);
-  if (!config) return Unexpected(config.error());
+  const auto seen = options.calibration ? first_model(*capture, *sensor) : std::nullopt;
+  auto scans = VelodyneScans::create(options, capture->input().name(), seen);
+  if (!scans) return Unexpected(std::move(scans).error());
   capture = Capture::reopen(*std::move(capture));
   if (!capture) return Unexpected(capture.error());
-  return std::make_unique<PcapRecording>(*std::move(capture), *sensor, *std::move(config), options.log);
+  return std::make_unique<PcapRecording>(*std::move(capture), *sensor, *std::move(scans), options.log);
 }
 
 }  // namespace verge::io

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,6 +37,7 @@ using testing::UdpPlan;
 struct Outcome {
   std::vector<Decoded> scans;
   std::vector<Error> errors;
+  std::vector<std::string> warnings;
   std::map<std::string, std::uint64_t> counts;
   [[nodiscard]] std::size_t points() const {
     std::size_t sum = 0;
@@ -50,14 +55,17 @@ void expect_sums(const std::vector<Counter>& counters) {
     for (auto part = head + 1; part != end; ++part) parts += part->count;
     EXPECT_EQ(head->count, parts) << first;
   };
-  sum("records", "malformed");
-  sum("packets", "late");
-  sum("blocks", "azimuth out of turn");
-  sum("measurements", "same echo twice");
+  sum("records received", "records malformed");
+  sum("packets received", "packets too late");
+  sum("blocks received", "blocks out of turn");
+  sum("measurements received", "measurements of the same echo");
 }
 
-Outcome run(const std::string& capture, const RecordingOptions& options = {}) {
+Outcome run(const std::string& capture, RecordingOptions options = {}) {
   Outcome out;
+  options.log = [&out](LogLevel level, std::string_view text) {
+    if (level == LogLevel::kWarning) out.warnings.emplace_back(text);
+  };
   auto recording = open_pcap(Input::of(bytes_of(capture), "drive.pcap"), options);
   if (!recording) {
     out.errors.push_back(recording.error());
@@ -101,7 +109,7 @@ TEST(Pcap, ARecordingGivesItsRevolutions) {
   EXPECT_TRUE(outcome.scans[0].notes.empty());
   ASSERT_EQ(outcome.scans[2].notes.size(), 1U);
   EXPECT_THAT(outcome.scans[2].notes[0], HasSubstr("21 % complete"));
-  EXPECT_EQ(outcome.counts.at("records"), 400U);
+  EXPECT_EQ(outcome.counts.at("records received"), 400U);
 }
 
 TEST(Pcap, P1WrongMagic) {
@@ -134,7 +142,7 @@ TEST(Pcap, P5P6ARecordCutAnywhereCostsThatRecordAlone) {
     const Outcome outcome = run(whole.substr(0, whole.size() - record + left));
     expect_error(outcome, ErrorCode::kDamaged, left < 16 ? "record header is cut" : "record is cut");
     EXPECT_EQ(outcome.points(), kPoints - 384);
-    EXPECT_EQ(outcome.counts.at("malformed"), 1U);
+    EXPECT_EQ(outcome.counts.at("records malformed"), 1U);
     const std::size_t at = whole.size() - record + (left < 16 ? 0 : 8);
     EXPECT_EQ(outcome.errors[0].where, std::to_string(at));
   }
@@ -151,7 +159,7 @@ TEST(Pcap, P7ALengthBeyondTheLimitStopsThere) {
 TEST(Pcap, P8AnEmptyRecordIsCounted) {
   const Outcome outcome = run(capture_of(sensor_packets(kPackets)) + pcap_record("", 0));
   expect_all(outcome, "empty record");
-  EXPECT_EQ(outcome.counts.at("not UDP"), 1U);
+  EXPECT_EQ(outcome.counts.at("records that are not UDP"), 1U);
 }
 
 TEST(Pcap, P9ACaptureThatCutEachFrame) {
@@ -212,7 +220,7 @@ TEST(Pcap, P12FragmentsArePutTogetherInAnyOrder) {
   const Outcome outcome = run(fragmented({0, 2}));
   expect_error(outcome, ErrorCode::kDamaged, "fragments of datagrams are missing");
   EXPECT_EQ(outcome.points(), kPoints - 384);
-  EXPECT_EQ(outcome.counts.at("fragments"), 2U);
+  EXPECT_EQ(outcome.counts.at("records that are fragments"), 2U);
 }
 
 TEST(Pcap, P12FragmentsOfManyDatagramsStayBounded) {
@@ -232,18 +240,27 @@ TEST(Pcap, P13P14LengthsAndChecksumsThatDiffer) {
   capture += pcap_record(frame_of(ipv4(udp(packet.payload, {.length_off = 100}))), packet.time_ns);
   const Outcome outcome = run(capture);
   expect_all(outcome, "UDP longer than IP");
-  EXPECT_EQ(outcome.counts.at("malformed"), 1U);
-  expect_all(run(capture_of(sensor_packets(kPackets), {}, {.checksum = 0xBEEF})), "bad checksum");
+  EXPECT_EQ(outcome.counts.at("records malformed"), 1U);
+  const Outcome checksums = run(capture_of(sensor_packets(kPackets), {}, {.checksum = 0xBEEF}));
+  expect_all(checksums, "bad checksum");
+  EXPECT_EQ(checksums.warnings,
+            std::vector{fmt::format("drive.pcap: {} datagrams have a wrong checksum", kPackets)});
 }
 
 TEST(Pcap, P15P16OddTimesOfTheCaptureMoveNothing) {
   auto packets = sensor_packets(kPackets);
   packets[30].time_ns -= 3'600'000'000'000;
-  expect_all(run(capture_of(packets)), "an hour back");
+  const Outcome back = run(capture_of(packets));
+  expect_all(back, "an hour back");
+  EXPECT_EQ(back.warnings,
+            std::vector<std::string>{"drive.pcap: 1 records are older than those before them"});
   std::string capture = capture_of(sensor_packets(kPackets));
   const std::size_t record = (capture.size() - 24) / kPackets;
   capture.replace(24 + 10 * record + 4, 4, testing::u32(4'000'000'000U, false));
-  expect_all(run(capture), "fraction of 4000 s");
+  const Outcome odd = run(capture);
+  expect_all(odd, "fraction of 4000 s");
+  ASSERT_FALSE(odd.warnings.empty());
+  EXPECT_EQ(odd.warnings[0], "drive.pcap: 1 records have a fraction of a second that is more than a second");
 }
 
 TEST(Pcap, P17TwoSensorsNeedAChoice) {
@@ -261,7 +278,7 @@ TEST(Pcap, P17TwoSensorsNeedAChoice) {
   options.sensor_ip = "192.168.1.202";
   const Outcome chosen = run(capture, options);
   expect_all(chosen, "chosen");
-  EXPECT_EQ(chosen.counts.at("from another sensor"), kPackets);
+  EXPECT_EQ(chosen.counts.at("records from another sensor"), kPackets);
   options.sensor_ip = "10.0.0.1";
   expect_error(run(capture, options), ErrorCode::kUsage, "no sensor 10.0.0.1 sends");
 }
@@ -331,7 +348,8 @@ TEST(Pcap, AModelThatIsToldAndIsNotThere) {
   expect_error(run(capture_of(sensor_packets(kPackets)), options), ErrorCode::kUnusable,
                "60 of 60 packets are of another model");
   options.model = "vlp17";
-  expect_error(run(capture_of(sensor_packets(kPackets)), options), ErrorCode::kUsage, "no such model");
+  expect_error(run(capture_of(sensor_packets(kPackets)), options), ErrorCode::kUsage,
+               "no such Velodyne model");
 }
 
 TEST(Pcap, ACalibrationComesFromItsFile) {
@@ -381,7 +399,7 @@ TEST(PcapWriter, WhatIsWrittenIsReadAgain) {
   EXPECT_EQ(std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()), expected);
   const Outcome outcome = run(expected);
   expect_all(outcome, "written");
-  EXPECT_EQ(outcome.counts.at("from the sensor"), kPackets);
+  EXPECT_EQ(outcome.counts.at("records from the sensor"), kPackets);
 }
 
 TEST(PcapWriter, ADecodedRecordingWritesTheSamePacketsAgain) {
@@ -427,9 +445,9 @@ TEST(PcapReal, PublicCapturesDecode) {
     EXPECT_GT(points, 80'000U);
     std::map<std::string, std::uint64_t> counts;
     for (const Counter& counter : (*recording)->counters()) counts[counter.name] = counter.count;
-    EXPECT_EQ(counts.at("data"), packets);
-    EXPECT_EQ(counts.at("malformed"), 1U);
-    EXPECT_EQ(counts.at("azimuth out of turn"), 0U);
+    EXPECT_EQ(counts.at("packets used"), packets);
+    EXPECT_EQ(counts.at("records malformed"), 1U);
+    EXPECT_EQ(counts.at("blocks out of turn"), 0U);
     expect_sums((*recording)->counters());
   }
 }

@@ -15,18 +15,6 @@ namespace {
 
 namespace velodyne = sensor::velodyne;
 
-std::optional<Decoded> decoded(std::optional<velodyne::Revolution> revolution) {
-  constexpr double kComplete = 0.98;
-  if (!revolution) return std::nullopt;
-  Decoded out;
-  out.cloud = std::move(revolution->cloud);
-  out.stamp_ns = revolution->stamp_ns;
-  if (revolution->completeness < kComplete)
-    out.notes.push_back(fmt::format("revolution is {:.0f} % complete", 100.0 * revolution->completeness));
-  if (revolution->stalled) out.notes.emplace_back("the head stands still");
-  return out;
-}
-
 Error usage(const std::string& name, std::string what, std::string got, std::string need) {
   return {ErrorCode::kUsage, name, {}, std::move(what), std::move(got), std::move(need)};
 }
@@ -42,23 +30,43 @@ Expected<velodyne::Calibration> read_calibration_file(const std::filesystem::pat
 
 }  // namespace
 
-Expected<VelodyneScans> VelodyneScans::create(const RecordingOptions& options, const std::string& name) {
+Expected<VelodyneScans> VelodyneScans::create(const RecordingOptions& options, const std::string& name,
+                                              std::optional<velodyne::Model> seen) {
   velodyne::DecoderConfig config;
   if (options.model) {
     config.model = velodyne::model_named(*options.model);
     if (!config.model) {
-      return Unexpected(
-          usage(name, "no such Velodyne model", *options.model, "hdl32e, vlp16, vlp32c or hdl64e"));
+      return Unexpected(usage(name, "no such Velodyne model", *options.model,
+                              "hdl32e, vlp16, vlp32c, hdl64e, hdl64e-s1, -s2 or -s3"));
     }
   }
   if (options.calibration) {
-    if (!config.model)
-      return Unexpected(usage(name, "a calibration needs its model, choose --model", {}, {}));
-    auto calibration = read_calibration_file(*options.calibration, velodyne::facts_of(*config.model).lasers);
+    const auto model = config.model ? config.model : seen;
+    if (!model) return Unexpected(usage(name, "a calibration needs its model, choose --model", {}, {}));
+    auto calibration = read_calibration_file(*options.calibration, velodyne::facts_of(*model).lasers);
     if (!calibration) return Unexpected(std::move(calibration).error());
     config.calibration = *std::move(calibration);
   }
   return VelodyneScans(std::move(config));
+}
+
+std::optional<Decoded> VelodyneScans::decoded(std::optional<velodyne::Revolution> revolution) const {
+  constexpr double kComplete = 0.98;
+  if (!revolution) return std::nullopt;
+  Decoded out;
+  out.cloud = std::move(revolution->cloud);
+  out.stamp_ns = revolution->stamp_ns;
+  if (revolution->completeness < kComplete)
+    out.notes.push_back(fmt::format("revolution is {:.0f} % complete", 100.0 * revolution->completeness));
+  if (revolution->stalled) out.notes.emplace_back("the head stands still");
+  const auto model = decoder_.model();
+  if (!own_angles_ && model && velodyne::facts_of(*model).banks == 2) {
+    out.notes.emplace_back(
+        "no calibration given: the usual angles and offsets of the model, which are off by up to 1 degree "
+        "and "
+        "0.3 m");
+  }
+  return out;
 }
 
 std::optional<Decoded> VelodyneScans::take() { return decoded(decoder_.take()); }

@@ -17,11 +17,12 @@ namespace verge::io {
 /// Packets of one Velodyne sensor to scans, whatever kind of recording they stand in.
 class VelodyneScans {
  public:
-  /// With the options' model (or that of the first packet) and calibration. Fails with kUsage where there is
-  /// no such model, or a calibration without one, and as the calibration's file does; `name` stands in the
-  /// error.
-  [[nodiscard]] static Expected<VelodyneScans> create(const RecordingOptions& options,
-                                                      const std::string& name);
+  /// With the options' model (or that of the first packet) and calibration, which has to be of a model: the
+  /// options', or the one that was `seen`. Fails with kUsage where there is no such model, or a calibration
+  /// without one, and as the calibration's file does; `name` stands in the error.
+  [[nodiscard]] static Expected<VelodyneScans> create(
+      const RecordingOptions& options, const std::string& name,
+      std::optional<sensor::velodyne::Model> seen = std::nullopt);
 
   /// A payload of 1206 bytes (others are counted) and when it was received, ns since the Unix epoch.
   void add(Bytes payload, std::int64_t received_ns) { decoder_.add(payload, received_ns); }
@@ -31,10 +32,14 @@ class VelodyneScans {
   [[nodiscard]] std::optional<Decoded> finish();
   /// Packets received and what became of them, then the same of blocks and of measurements.
   [[nodiscard]] std::vector<Counter> counters() const;
+  [[nodiscard]] const sensor::velodyne::Counters& packets() const { return decoder_.counters(); }
 
  private:
-  explicit VelodyneScans(sensor::velodyne::DecoderConfig config) : decoder_(std::move(config)) {}
+  explicit VelodyneScans(sensor::velodyne::DecoderConfig config)
+      : own_angles_(config.calibration.has_value()), decoder_(std::move(config)) {}
+  [[nodiscard]] std::optional<Decoded> decoded(std::optional<sensor::velodyne::Revolution> revolution) const;
 
+  bool own_angles_;
   sensor::velodyne::RevolutionDecoder decoder_;
 };
 
