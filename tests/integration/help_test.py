@@ -41,7 +41,7 @@ class Help(CliTest):
         scan = self.write("scan.pcd.bin", self.scan)
         for arguments in ((), ("detct", scan), ("detect",), ("detect", scan, "--no-such-option"),
                           ("detect", scan, "-j", "-1"),
-                          ("detect", scan, "-j", "many"), ("detect", scan, "--format", "las"),
+                          ("detect", scan, "-j", "many"), ("detect", scan, "--format", "laz"),
                           ("detect", scan, "--frames", "3"), ("detect", scan, "--frames", "b:a"),
                           ("detect", scan, "--frames", "5:5"), ("detect", scan, "--frames", "1:"),
                           ("detect", scan, "--method", "gradeint"), ("detect", scan, "--progress", "sometimes"),

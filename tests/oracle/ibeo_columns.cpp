@@ -29,7 +29,7 @@ void print(const T& value) {
 
 template <class T>
 void print(const std::vector<T>& column) {
-  std::fwrite(column.data(), sizeof(T), column.size(), stdout);
+  if (!column.empty()) std::fwrite(column.data(), sizeof(T), column.size(), stdout);
 }
 
 void print_scan(const io::Decoded& scan) {

@@ -18,6 +18,8 @@
 namespace verge::io {
 namespace {
 
+/// Times of a damaged recording may be any: within 126 years of 1970, differences fit.
+constexpr std::int64_t kFarthest_ns = 4'000'000'000'000'000'000;
 constexpr std::int64_t kLongestWait_ns = 500'000'000;
 constexpr std::size_t kMostWaiting = 4;
 
@@ -92,7 +94,7 @@ Error placed(Error error, const Message& message, const Bag& bag) {
 }
 
 Expected<void> BagRecording::take(const Message& message) {
-  now_ns_ = message.received_ns;
+  now_ns_ = std::clamp(message.received_ns, -kFarthest_ns, kFarthest_ns);
   const auto read = [&]() -> Expected<void> {
     switch (kind_at(message.topic)) {
       case MessageKind::kPointCloud2:
@@ -122,7 +124,7 @@ Expected<void> BagRecording::take_cloud(const Message& message) {
   auto decoded = decode_point_cloud2(*cloud);
   if (!decoded) return Unexpected(std::move(decoded).error());
   ++of_scans_;
-  add_scan(*std::move(decoded), message.received_ns);
+  add_scan(*std::move(decoded), now_ns_);
   return {};
 }
 

@@ -58,7 +58,8 @@ Expected<Bytes> read_fixed_part(Input& input) {
   const auto start = input.head(kHeaderBytes[0]);
   if (!start) return Unexpected(start.error());
   if (!as_text(*start).starts_with("LASF")) {
-    return unusable(input, 0, "is no LAS file", fmt::format("'{}'", as_text(*start).substr(0, 4)), "'LASF'");
+    return unusable(input, 0, "is no LAS file", {},
+                    "'LASF' at its begin");  // what stands there may be no text
   }
   if (start->size() < kHeaderBytes[0]) {
     return unusable(input, start->size(), "header of a LAS file is cut", fmt::format("{} B", start->size()),

@@ -185,7 +185,7 @@ TEST(Las, WorldCoordinatesGetAnOrigin) {
 // A1 to A3, A10, A11.
 TEST(Las, HeadersThatCannotBeAreRefused) {
   const LasFile good(4, 6, 3);
-  expect_refused(LasFile(good).text(0, "LASX"), "0", "is no LAS file (got 'LASX', need 'LASF')");
+  expect_refused(LasFile(good).text(0, "LASX"), "0", "is no LAS file (need 'LASF' at its begin)");
   expect_refused(LasFile(good).put(25, std::uint8_t{5}), "24", "got 1.5, need 1.2, 1.3 or 1.4");
   expect_refused(LasFile(good).put(24, std::uint16_t{2}), "24", "got 2.0, need 1.2, 1.3 or 1.4");
   for (const std::uint16_t size : std::initializer_list<std::uint16_t>{0, 1, 227, 374, 65535}) {
