@@ -24,7 +24,7 @@ std::vector<std::string> seeds() {
 
 void check(Bytes input) {
   check_framing(input, ibeo::kAlascaFrames);
-  check_recording(io::open_alasca(io::Input::of(input, "fuzz")), input.size());
+  check_recording(input, [](io::Input file) { return io::open_alasca(std::move(file), {}); });
 }
 
 }  // namespace verge::fuzz

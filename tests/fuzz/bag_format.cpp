@@ -74,7 +74,10 @@ std::vector<testing::TestMessage> velodyne_messages(io::Wire wire) {
   return {{"/packets", "velodyne_msgs/msg/VelodyneScan", kBegin, velodyne_message(wire)}};
 }
 
-void check_recording(Bytes input, OpenRecording open) { require(run(input, open) == run(input, open)); }
+void check_recording(Bytes input, OpenRecording open) {
+  const auto once = [&] { return run(input, open); };
+  require(bounded(input, once) == bounded(input, once));
+}
 
 std::vector<testing::TestMessage> seed_messages(io::Wire wire) {
   auto messages = testing::cloud_messages(3, wire);

@@ -73,8 +73,9 @@ std::vector<std::string> files_with_suffix(const std::string& suffix,
 void check_file(Bytes input, io::Format format) {
   io::OpenOptions options;
   options.format = format;
-  const auto once = io::decode(input, "fuzz", options);
-  const auto again = io::decode(input, "fuzz", options);
+  const auto decode = [&] { return io::decode(input, "fuzz", options); };
+  const auto once = bounded(input, decode);
+  const auto again = bounded(input, decode);
   require(once.has_value() == again.has_value());
   if (!once) {
     require(to_string(once.error()) == to_string(again.error()) && !once.error().what.empty());

@@ -54,7 +54,7 @@ std::vector<std::string> seeds() {
 
 void check(Bytes input) {
   check_index(input);
-  check_recording(io::open_ibeo(io::Input::of(input, "fuzz")), input.size());
+  check_recording(input, [](io::Input file) { return io::open_ibeo(std::move(file), {}); });
 }
 
 }  // namespace verge::fuzz

@@ -51,8 +51,8 @@ void check(Bytes input) {
     io::Input file = io::Input::of(input, "fuzz");
     return io::read_las(file);
   };
-  const auto once = decode();
-  const auto again = decode();
+  const auto once = bounded(input, decode);
+  const auto again = bounded(input, decode);
   require(once.has_value() == again.has_value());
   if (!once) {
     require(!once.error().what.empty() && to_string(once.error()) == to_string(again.error()));

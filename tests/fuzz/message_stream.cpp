@@ -106,7 +106,11 @@ void check_framing(Bytes stream, const FrameLayout& layout) {
   require(events_of(stream, layout, [] { return 1U; }) == whole);
 }
 
-void check_recording(Expected<std::unique_ptr<io::Recording>> recording, std::size_t size) {
+namespace {
+
+void read_to_its_end(Bytes input, const OpenRecording& open) {
+  const std::size_t size = input.size();
+  const auto recording = open(io::Input::of(input, "fuzz"));
   if (!recording) {
     require(!recording.error().what.empty());
     return;
@@ -122,6 +126,15 @@ void check_recording(Expected<std::unique_ptr<io::Recording>> recording, std::si
     if (!scan) require(!scan.error().what.empty() && !scan.error().where.empty());
   }
   require(false);
+}
+
+}  // namespace
+
+void check_recording(Bytes input, const OpenRecording& open) {
+  require(bounded(input, [&] {
+    read_to_its_end(input, open);
+    return true;
+  }));
 }
 
 }  // namespace verge::fuzz

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "tests/fuzz/fuzz.hpp"
+#include "verge/io/input.hpp"
 #include "verge/io/recording.hpp"
 #include "verge/sensor/ibeo/framer.hpp"
 
@@ -23,8 +25,11 @@ namespace verge::fuzz {
 /// piece.
 void check_framing(Bytes stream, const sensor::ibeo::FrameLayout& layout);
 
+/// Opens a recording of these bytes.
+using OpenRecording = std::function<Expected<std::unique_ptr<io::Recording>>(io::Input)>;
+
 /// Reads the recording to its end: it has one, what is counted adds up, every error says something, points
-/// are finite and no more than the bytes can hold.
-void check_recording(Expected<std::unique_ptr<io::Recording>> recording, std::size_t size);
+/// are finite and no more than the bytes can hold, and memory is bounded.
+void check_recording(Bytes input, const OpenRecording& open);
 
 }  // namespace verge::fuzz
