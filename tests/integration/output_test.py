@@ -27,6 +27,13 @@ class Records(CliTest):
             self.assertRegex(record["version"], r"^\d+\.\d+\.\d+$")
             self.assertIn("boundaries", record)
 
+    def test_json_is_utf8_whatever_a_file_is_called(self):
+        scan = self.write("a\udcff\udcc3.pcd.bin", self.scan)  # two bytes that are no UTF-8
+        (record,) = self.records(run("detect", scan, "--trace").stdout)
+        self.assertEqual(record["frame"], "a\ufffd\ufffd")
+        info = json.loads(run("info", "--json", scan).stdout.decode("utf-8"))
+        self.assertEqual(info["frames"], ["a\ufffd\ufffd"])
+
     def test_both_kerbs_of_a_straight_road_are_found(self):
         (record,) = self.records(run("detect", self.write("scan.pcd.bin", self.scan)).stdout)
         for side, offset in (("left", 4.0), ("right", -4.0)):

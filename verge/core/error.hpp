@@ -38,11 +38,11 @@ using Expected = tl::expected<T, Error>;
 
 using Unexpected = tl::unexpected<Error>;
 
-/// The error's line, at most 280 bytes, with control bytes escaped as \xNN (a path may hold newlines or ESC).
+/// The error's line: at most 280 bytes of UTF-8, escaped as escape_control_bytes() does (a path may hold ESC).
 [[nodiscard]] std::string to_string(const Error& error);
 
-/// `text` with every byte below 0x20, 0x7F and the backslash escaped, so that it can stand in one line of a
-/// terminal.
+/// `text` so that it can stand in one line of a terminal, as valid UTF-8: control characters (below U+0020,
+/// U+007F to U+009F), the backslash, and bytes that are no UTF-8 are escaped byte by byte.
 [[nodiscard]] std::string escape_control_bytes(std::string_view text);
 
 }  // namespace verge

@@ -48,7 +48,13 @@ Error error_at(const Input& input, ErrorCode code, const Token& token, std::stri
 std::string quoted(std::string_view text) {
   constexpr std::size_t kMost = 40;
   if (text.size() <= kMost) return fmt::format("'{}'", text);
-  return fmt::format("'{}...'", text.substr(0, kMost));
+  // Not inside a character of UTF-8, which has three continuing bytes at most.
+  const auto continues = [&](std::size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  };
+  std::size_t end = kMost;
+  while (end > kMost - 3 && continues(end)) --end;
+  return fmt::format("'{}...'", text.substr(0, end));
 }
 
 namespace {
