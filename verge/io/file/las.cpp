@@ -37,14 +37,15 @@ std::uint8_t echo_of(unsigned return_number) {
   return static_cast<std::uint8_t>(return_number == 0 ? 0 : return_number - 1);
 }
 
-/// Of formats 0 to 5.
-Attributes legacy_attributes(Bytes record, std::uint8_t format) {
+/// Of formats 0 to 5. LAS 1.0 has no marks beside the class.
+Attributes legacy_attributes(Bytes record, const LasHeader& header) {
   const auto classes = load_le<std::uint8_t>(record, 15);
+  const bool has_marks = header.minor_version > 0;
   return {.echo = echo_of(load_le<std::uint8_t>(record, 14) & 0x07U),
-          .label = static_cast<std::uint8_t>(classes & 0x1FU),
+          .label = static_cast<std::uint8_t>(classes & (has_marks ? 0x1FU : 0xFFU)),
           .user_data = load_le<std::uint8_t>(record, 17),
-          .withheld = (classes & 0x80U) != 0,
-          .time_s = has_gps_time(format) ? load_le<double>(record, 20) : 0.0};
+          .withheld = has_marks && (classes & 0x80U) != 0,
+          .time_s = has_gps_time(header.point_format) ? load_le<double>(record, 20) : 0.0};
 }
 
 /// Of formats 6 to 10.
@@ -96,6 +97,7 @@ void settle_times(Decoded& out, const LasHeader& header) {
 
 void note_oddities(Decoded& out, const LasHeader& header, Vec3 origin, std::size_t withheld) {
   if (!header.note.empty()) out.notes.push_back(header.note);
+  if (has_colours(header.point_format)) out.notes.emplace_back("colours are not read");
   if (withheld > 0) out.notes.push_back(fmt::format("{} points marked as withheld are left out", withheld));
   if (origin == Vec3{}) return;
   out.notes.push_back(fmt::format("origin ({:.0f}, {:.0f}, {:.0f}) m is taken off the coordinates", origin.x,
@@ -110,9 +112,8 @@ Decoded from_records(Bytes data, const LasHeader& header) {
   std::size_t withheld = 0;
   for (std::size_t i = 0; i < header.points; ++i) {
     const Bytes record = data.subspan(i * header.record_bytes, header.record_bytes);
-    const Attributes attributes = is_las14_format(header.point_format)
-                                      ? las14_attributes(record)
-                                      : legacy_attributes(record, header.point_format);
+    const Attributes attributes =
+        is_las14_format(header.point_format) ? las14_attributes(record) : legacy_attributes(record, header);
     if (attributes.withheld) {
       ++withheld;
       continue;

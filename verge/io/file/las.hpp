@@ -11,7 +11,7 @@
 
 namespace verge::io {
 
-/// LAS 1.2 to 1.4 (ASPRS), point formats 0 to 10, not compressed, as one scan. x, y, z are taken as they are,
+/// LAS 1.0 to 1.4 (ASPRS), point formats 0 to 10, not compressed, as one scan. x, y, z are taken as they are,
 /// metres: LAS files have world coordinates in some projection, which is not read.
 ///
 /// Where the first point is farther than 10 km from 0 in any axis, an origin (the first point, rounded to
@@ -19,8 +19,9 @@ namespace verge::io {
 /// translation of T_world_sensor, and a note says it. Intensity as stored (0..65535), return number less 1 as
 /// echo, classification as label, GPS time where the format has one (absolute where the header says so, with
 /// a stamp; else relative). The user data are the ring in files that write_las() made, and in no others: no
-/// other writer is known to do so. Points marked as withheld are left out and counted in a note; waveforms,
-/// colours and extra bytes are not read.
+/// other writer is known to do so. Points marked as withheld are left out and counted in a note; colours
+/// are not read, which a note says, nor are waveforms and extra bytes. In LAS 1.0 the whole byte of the class
+/// is the label, and nothing marks a point as withheld.
 ///
 /// Fails with kUnusable (no LAS, compressed, a version or format that is not known, sizes that do not fit the
 /// file), kDamaged (0 points), kLimit.

@@ -30,9 +30,9 @@ constexpr std::size_t kScaleAt = 131;
 constexpr std::size_t kOffsetAt = 155;
 constexpr std::size_t kCountAt = 247;  // of LAS 1.4
 
-/// Least size of the header by minor version, from 1.2 on.
-constexpr auto kHeaderBytes = std::to_array<std::uint16_t>({227, 235, 375});
-constexpr int kFirstMinor = 2;
+/// Least size of the header by minor version.
+constexpr auto kHeaderBytes = std::to_array<std::uint16_t>({227, 227, 227, 235, 375});
+constexpr int kFirstMinorWithEncoding = 2;
 /// Least size of a record by point format.
 constexpr auto kRecordBytes = std::to_array<std::uint16_t>({20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67});
 constexpr std::uint64_t kVlrHeaderBytes = 54;
@@ -67,11 +67,11 @@ Expected<Bytes> read_fixed_part(Input& input) {
   }
   const int major = load_le<std::uint8_t>(*start, kMajorAt);
   const int minor = load_le<std::uint8_t>(*start, kMinorAt);
-  if (major != 1 || minor < kFirstMinor || minor > 4) {
+  if (major != 1 || minor > 4) {
     return unusable(input, kMajorAt, "version of a LAS file is not supported",
-                    fmt::format("{}.{}", major, minor), "1.2, 1.3 or 1.4");
+                    fmt::format("{}.{}", major, minor), "1.0 to 1.4");
   }
-  const std::uint16_t least = kHeaderBytes[static_cast<std::size_t>(minor - kFirstMinor)];
+  const std::uint16_t least = kHeaderBytes[static_cast<std::size_t>(minor)];
   const auto size = load_le<std::uint16_t>(*start, kHeaderSizeAt);
   if (size < least || size > input.size()) {
     return unusable(input, kHeaderSizeAt, "size of the header is wrong", fmt::format("{} B", size),
@@ -97,7 +97,8 @@ Expected<LasHeader> parse_fields(const Input& input, Bytes bytes) {
   LasHeader header;
   header.minor_version = load_le<std::uint8_t>(bytes, kMinorAt);
   header.software = text_of(bytes, kSoftwareAt, kSoftwareBytes);
-  header.gps_time_is_absolute = (load_le<std::uint16_t>(bytes, kEncodingAt) & 1U) != 0;
+  header.gps_time_is_absolute = header.minor_version >= kFirstMinorWithEncoding &&
+                                (load_le<std::uint16_t>(bytes, kEncodingAt) & 1U) != 0;
   header.points_offset = load_le<std::uint32_t>(bytes, kPointsOffsetAt);
   header.point_format = load_le<std::uint8_t>(bytes, kFormatAt);
   header.record_bytes = load_le<std::uint16_t>(bytes, kRecordBytesAt);

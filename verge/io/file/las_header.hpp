@@ -30,6 +30,11 @@ struct LasHeader {
 
 /// Whether records of this format are those of LAS 1.4 (6 to 10).
 [[nodiscard]] constexpr bool is_las14_format(std::uint8_t point_format) { return point_format >= 6; }
+/// Whether records of this format have colours.
+[[nodiscard]] constexpr bool has_colours(std::uint8_t point_format) {
+  return point_format == 2 || point_format == 3 || point_format == 5 || point_format == 7 ||
+         point_format == 8 || point_format == 10;
+}
 /// Whether records of this format have a GPS time.
 [[nodiscard]] constexpr bool has_gps_time(std::uint8_t point_format) {
   return point_format == 1 || (point_format >= 3 && point_format <= 10);

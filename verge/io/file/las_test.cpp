@@ -12,6 +12,7 @@
 
 #include "verge/io/file/gps_time.hpp"
 #include "verge/io/file/las_header.hpp"
+#include "verge/io/file/test_las.hpp"
 #include "verge/io/test_files.hpp"
 #include "verge/scan/organise.hpp"
 
@@ -24,63 +25,9 @@ using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::LasFile;
 using testing::TemporaryFolder;
-
-/// A file as a text of bytes, with numbers at their places.
-class LasFile {
- public:
-  LasFile(int minor, std::uint8_t format, std::size_t points, const std::string& vlrs = {}) : minor_(minor) {
-    const std::size_t header = minor == 4 ? 375 : minor == 3 ? 235 : 227;
-    record_ = las_record_bytes(format <= 10 ? format : 0);
-    bytes_.assign(header + vlrs.size() + points * record_, '\0');
-    bytes_.replace(header, vlrs.size(), vlrs);
-    bytes_.replace(0, 4, "LASF");
-    points_at_ = header + vlrs.size();
-    put(24, std::uint8_t{1})
-        .put(25, static_cast<std::uint8_t>(minor))
-        .put(94, static_cast<std::uint16_t>(header));
-    put(96, static_cast<std::uint32_t>(points_at_))
-        .put(104, format)
-        .put(105, static_cast<std::uint16_t>(record_));
-    put(107, static_cast<std::uint32_t>(format <= 5 ? points : 0));
-    if (minor == 4) put(247, static_cast<std::uint64_t>(points));
-    for (std::size_t axis = 0; axis < 3; ++axis) put(131 + 8 * axis, 0.001);
-    for (std::size_t i = 0; i < points; ++i)
-      point(i, 0, static_cast<std::int32_t>(1000 * i)).point(i, 4, -2000).point(i, 8, 500);
-  }
-
-  template <class T>
-  LasFile& put(std::size_t at, T value) {
-    std::memcpy(bytes_.data() + at, &value, sizeof(T));
-    return *this;
-  }
-  /// In a point's record.
-  template <class T>
-  LasFile& point(std::size_t i, std::size_t at, T value) {
-    return put(points_at_ + i * record_ + at, value);
-  }
-  LasFile& text(std::size_t at, const std::string& text) {
-    bytes_.replace(at, text.size(), text);
-    return *this;
-  }
-  [[nodiscard]] const std::string& bytes() const { return bytes_; }
-  [[nodiscard]] std::size_t points_at() const { return points_at_; }
-
- private:
-  int minor_;
-  std::size_t record_ = 0;
-  std::size_t points_at_ = 0;
-  std::string bytes_;
-};
-
-/// A variable length record with `length` bytes behind its header, which promises `said`.
-std::string vlr(const std::string& user, std::uint16_t id, std::size_t length, std::uint16_t said) {
-  std::string bytes(54 + length, '\0');
-  bytes.replace(2, user.size(), user);
-  std::memcpy(bytes.data() + 18, &id, 2);
-  std::memcpy(bytes.data() + 20, &said, 2);
-  return bytes;
-}
+using testing::vlr;
 
 Expected<Decoded> las(const std::string& bytes) {
   Input input = Input::of(bytes_of(bytes), "a.las");
@@ -117,7 +64,7 @@ Scan full_scan() {
 }  // namespace
 
 TEST(Las, EveryVersionAndPointFormatIsRead) {
-  for (const int minor : {2, 3, 4}) {
+  for (const int minor : {0, 1, 2, 3, 4}) {
     for (std::uint8_t format = 0; format <= 10; ++format) {
       const auto decoded = las(LasFile(minor, format, 3).put(107, std::uint32_t{3}));
       ASSERT_TRUE(decoded) << to_string(decoded.error());
@@ -171,6 +118,30 @@ TEST(Las, WithheldPointsAreLeftOutAndCounted) {
   EXPECT_THAT(recent->cloud.x, ElementsAre(0.0F, 1.0F));
 }
 
+// LAS 1.0 and 1.1 have reserved bytes where 1.2 says what its times are, and 1.0 a class of 8 bits.
+TEST(Las, WhatOldVersionsDoNotHaveIsNotReadFromTheirBytes) {
+  const auto first = las(LasFile(0, 1, 2).put(6, std::uint16_t{0xFFFF}).point(0, 15, std::uint8_t{0xE2}));
+  ASSERT_TRUE(first);
+  EXPECT_THAT(first->cloud.label, ElementsAre(0xE2U, 0U));
+  EXPECT_EQ(first->stamp_ns, std::nullopt);
+  const auto second = las(LasFile(1, 1, 2).put(6, std::uint16_t{0xFFFF}).point(0, 15, std::uint8_t{0xE2}));
+  ASSERT_TRUE(second);
+  EXPECT_THAT(second->cloud.label, ElementsAre(0U));  // 0x80: withheld
+  EXPECT_EQ(second->stamp_ns, std::nullopt);
+}
+
+TEST(Las, ColoursThatAreNotReadAreTold) {
+  for (std::uint8_t format = 0; format <= 10; ++format) {
+    const auto decoded = las(LasFile(4, format, 3));
+    ASSERT_TRUE(decoded);
+    const bool told = !decoded->notes.empty();
+    // The formats whose tables have red, green and blue.
+    const bool coloured =
+        std::string("2 3 5 7 8 10 ").find(std::to_string(format) + " ") != std::string::npos && format != 0;
+    EXPECT_EQ(told, coloured) << int{format};
+  }
+}
+
 TEST(Las, WorldCoordinatesGetAnOrigin) {
   const auto decoded = las(LasFile(2, 0, 2).put(155, 691'000.25).put(163, 5'336'000.0).put(171, 500.0));
   ASSERT_TRUE(decoded);
@@ -186,8 +157,8 @@ TEST(Las, WorldCoordinatesGetAnOrigin) {
 TEST(Las, HeadersThatCannotBeAreRefused) {
   const LasFile good(4, 6, 3);
   expect_refused(LasFile(good).text(0, "LASX"), "0", "is no LAS file (need 'LASF' at its begin)");
-  expect_refused(LasFile(good).put(25, std::uint8_t{5}), "24", "got 1.5, need 1.2, 1.3 or 1.4");
-  expect_refused(LasFile(good).put(24, std::uint16_t{2}), "24", "got 2.0, need 1.2, 1.3 or 1.4");
+  expect_refused(LasFile(good).put(25, std::uint8_t{5}), "24", "got 1.5, need 1.0 to 1.4");
+  expect_refused(LasFile(good).put(24, std::uint16_t{2}), "24", "got 2.0, need 1.0 to 1.4");
   for (const std::uint16_t size : std::initializer_list<std::uint16_t>{0, 1, 227, 374, 65535}) {
     expect_refused(LasFile(good).put(94, size), "94", "size of the header is wrong");
   }
