@@ -190,6 +190,7 @@ Expected<std::unique_ptr<Source>> open_file(const fs::path& path, const OpenOpti
   const auto format = options.format ? Expected<Format>(*options.format) : sniff(*input);
   if (!format) return Unexpected(format.error());
   if (facts_of(*format).many_scans) {
+    if (*format == Format::kDb3) warn_of_wal(path, options.log);
     auto recording = open_recording(*std::move(input), *format, options);
     if (!recording) return Unexpected(std::move(recording).error());
     return source_of(*std::move(recording), {*format, {path}, {}}, options);

@@ -21,21 +21,27 @@ namespace verge::io {
 namespace {
 
 constexpr std::uint64_t kLook = 64ULL << 10U;
-/// What packed the file, if something did that we do not unpack.
-std::string_view packer_of(std::string_view head) {
+
+/// Something that packs files, which we do not unpack.
+struct Packer {
+  std::string_view magic;
+  std::string_view name;
+  std::string_view undo;  ///< The command that unpacks.
+};
+
+std::optional<Packer> packer_of(std::string_view head) {
   using namespace std::string_view_literals;
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kMagics{
-      {{"\x1F\x8B"sv, "gzip"},
-       {"BZh"sv, "bzip2"},
-       {"\xFD"
-        "7zXZ\0"sv,
-        "xz"},
-       {"\x28\xB5\x2F\xFD"sv, "zstd"},
-       {"PK\x03\x04"sv, "zip"}}};
-  for (const auto& [magic, name] : kMagics) {
-    if (head.starts_with(magic)) return name;
-  }
-  return {};
+  constexpr std::array<Packer, 5> kPackers{{{"\x1F\x8B"sv, "gzip", "gunzip"},
+                                            {"BZh"sv, "bzip2", "bunzip2"},
+                                            {"\xFD"
+                                             "7zXZ\0"sv,
+                                             "xz", "unxz"},
+                                            {"\x28\xB5\x2F\xFD"sv, "zstd", "zstd -d"},
+                                            {"PK\x03\x04"sv, "zip", "unzip"}}};
+  const auto* found = std::find_if(kPackers.begin(), kPackers.end(),
+                                   [&](const Packer& packer) { return head.starts_with(packer.magic); });
+  if (found == kPackers.end()) return std::nullopt;
+  return *found;
 }
 
 bool is_utf16(std::string_view head) { return head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF"); }
@@ -160,9 +166,10 @@ Expected<Format> sniff(Input& input, std::optional<Format> bin) {
   const auto named = format_of_name(input.name());
   const BinCheck check = check_bin(input, *bytes);
   if (check.beyond_doubt()) return choose_bin(input, check, bin);
-  if (const std::string_view packer = packer_of(head); !packer.empty()) {
-    return Unexpected(input.error_at(ErrorCode::kUnusable, 0,
-                                     fmt::format("is compressed with {}: unpack it first", packer)));
+  if (const auto packer = packer_of(head)) {
+    return Unexpected(input.error_at(
+        ErrorCode::kUnusable, 0,
+        fmt::format("is compressed with {}: unpack it first ({})", packer->name, packer->undo)));
   }
   if (is_utf16(head)) {
     return Unexpected(

@@ -333,6 +333,15 @@ std::size_t find_or_add(std::vector<Topic>& topics, const Topic& topic) {
   return index;
 }
 
+Expected<void> nothing_but_damage(const std::vector<Topic>& topics, const std::optional<Error>& trouble) {
+  const bool any =
+      std::any_of(topics.begin(), topics.end(), [](const Topic& topic) { return topic.messages > 0; });
+  if (any || !trouble) return {};
+  Error error = *trouble;
+  if (error.code == ErrorCode::kDamaged) error.code = ErrorCode::kUnusable;
+  return Unexpected(std::move(error));
+}
+
 Expected<std::unique_ptr<Recording>> open_bag(std::unique_ptr<Bag> bag, const RecordingOptions& options) {
   const auto& topics = bag->topics();
   const auto topic = choose(*bag, topics, topics_with_scans(topics), options.topic);

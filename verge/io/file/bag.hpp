@@ -65,6 +65,11 @@ class Bag {
 /// The topic's index in the list; a new entry where the name, type or wire is another.
 [[nodiscard]] std::size_t find_or_add(std::vector<Topic>& topics, const Topic& topic);
 
+/// The error with which to refuse a recording in which no message was found but damage: unusable, or a limit.
+/// None where there are messages, or no damage.
+[[nodiscard]] Expected<void> nothing_but_damage(const std::vector<Topic>& topics,
+                                                const std::optional<Error>& trouble);
+
 /// The scans of the one topic that has some (sensor_msgs/PointCloud2 or velodyne_msgs/VelodyneScan), or of
 /// `options.topic`. Where tf2_msgs/TFMessage or nav_msgs/Odometry cover the time of a scan, it gets its pose,
 /// and its motion where its points have times; for that a scan waits until its poses are there, for 0.5 s of

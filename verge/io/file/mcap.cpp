@@ -54,7 +54,7 @@ class McapBag final : public Bag {
   [[nodiscard]] Expected<bool> read_summary();
   [[nodiscard]] Expected<std::optional<McapFooter>> read_footer();
   [[nodiscard]] bool add_summary(Bytes summary);
-  void survey();
+  [[nodiscard]] Expected<void> survey();
 
   [[nodiscard]] Expected<std::optional<Message>> end();
   [[nodiscard]] Expected<Record> record_head();
@@ -165,16 +165,20 @@ Expected<bool> McapBag::read_summary() {
   return add_summary(bytes->first(static_cast<std::size_t>(end - begin)));
 }
 
-/// Reads the file through for its topics and how many messages each has.
-void McapBag::survey() {
+/// Reads the file through for its topics and how many messages each has. Where there are none and the file is
+/// damaged, the damage is why.
+Expected<void> McapBag::survey() {
   topics_.clear();
   schemas_.clear();
   channels_.clear();
+  std::optional<Error> trouble;
   while (!progress_.ended) {
     const auto message = next();
     if (message && *message) ++topics_[(*message)->topic].messages;
+    if (!message && !trouble) trouble = message.error();
   }
   progress_ = {};
+  return nothing_but_damage(topics_, trouble);
 }
 
 Expected<void> McapBag::open() {
@@ -184,8 +188,7 @@ Expected<void> McapBag::open() {
     return Unexpected(input_.error_at(ErrorCode::kUnusable, 0, "no MCAP file"));
   const auto summary = read_summary();
   if (!summary) return Unexpected(summary.error());
-  if (!*summary) survey();
-  return {};
+  return *summary ? Expected<void>{} : survey();
 }
 
 /// The end of the data: an error where the file was not closed.
@@ -207,8 +210,10 @@ Expected<Record> McapBag::record_head() {
   if (!head) return Unexpected(head.error());
   const Record record{static_cast<McapOp>((*head)[0]), progress_.at + kMcapRecordHead,
                       load_le<std::uint64_t>(*head, 1)};
+  if (static_cast<std::uint8_t>(record.op) == 0)
+    return Unexpected(error({{}, progress_.at}, "record has no operation"));
   const std::uint64_t room = left - kMcapRecordHead;
-  if (static_cast<std::uint8_t>(record.op) == 0 || record.length > room) {
+  if (record.length > room) {
     return Unexpected(error({{}, progress_.at}, "record is longer than what is left of the file",
                             fmt::format("{} B", record.length), fmt::format("<= {} B", room)));
   }

@@ -148,15 +148,13 @@ TEST(Mcap, R3BombsAreRefusedBeforeTheyAreUnpacked) {
   const std::vector<Case> cases{{(1ULL << 30U) + 1, zeros, ErrorCode::kLimit},
                                 {0xFFFF'FFFF'FFFF'FFFF, zeros, ErrorCode::kLimit},
                                 {1U << 20U, zeros, ErrorCode::kLimit},  // more than 1024 times
-                                {1000, zeros, ErrorCode::kDamaged}};    // more than it tells
+                                {1000, zeros, ErrorCode::kUnusable}};   // more than it tells
   for (const Case& c : cases) {
     const std::string end = mcap_of({}, {});  // a footer
     const std::string bytes = magic + chunk(c.unpacked, c.packed) + end.substr(8);
-    auto bag = open_mcap_bag(Input::of(bytes_of(bytes), "a.mcap"));
-    ASSERT_TRUE(bag);
-    const auto message = (*bag)->next();
-    ASSERT_FALSE(message);
-    EXPECT_EQ(message.error().code, c.code) << c.unpacked << message.error().what;
+    const auto bag = open_mcap_bag(Input::of(bytes_of(bytes), "a.mcap"));
+    ASSERT_FALSE(bag);  // it is all that the file holds
+    EXPECT_EQ(bag.error().code, c.code) << c.unpacked << bag.error().what;
   }
 }
 

@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::size_t kCdrHeader = 4;
 
+/// What a message of this encoding is called (DDSI-RTPS 2.5, table 10.3).
+std::string_view name_of_encoding(unsigned encoding) {
+  if (encoding == 2 || encoding == 3) return "is PL_CDR";
+  if (encoding >= 6 && encoding <= 11) return "is XCDR2";
+  return "has an unknown encoding";
+}
+
 }  // namespace
 
 MessageReader::MessageReader(Wire wire, Bytes message) : wire_(wire), message_(message) {
@@ -18,7 +25,8 @@ MessageReader::MessageReader(Wire wire, Bytes message) : wire_(wire), message_(m
   if (!has(kCdrHeader)) return;
   const auto encoding = load_be<std::uint16_t>(message_, 0);
   if (encoding > 1) {  // 0: CDR big-endian, 1: CDR little-endian; ROS 2 writes no other
-    fail(0, "message is not plain CDR", fmt::format("encoding {}", encoding), "0 or 1");
+    fail(0, fmt::format("message {}, not plain CDR", name_of_encoding(encoding)),
+         fmt::format("encoding {}", encoding), "0 or 1");
     return;
   }
   big_endian_ = encoding == 0;

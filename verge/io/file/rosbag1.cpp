@@ -112,7 +112,7 @@ class Rosbag1 final : public Bag {
 
   [[nodiscard]] Expected<void> read_bag_header();
   [[nodiscard]] Expected<bool> read_index();
-  void survey();
+  [[nodiscard]] Expected<void> survey();
 
   [[nodiscard]] Expected<std::optional<Message>> end();
   [[nodiscard]] Expected<Record> record_at(std::uint64_t at);
@@ -236,15 +236,19 @@ Expected<bool> Rosbag1::read_index() {
   return !topics_.empty();
 }
 
-/// Reads the file through for its topics and how many messages each has.
-void Rosbag1::survey() {
+/// Reads the file through for its topics and how many messages each has. Where there are none and the file is
+/// damaged, the damage is why.
+Expected<void> Rosbag1::survey() {
   topics_.clear();
   connections_.clear();
+  std::optional<Error> trouble;
   while (!progress_.ended) {
     const auto message = next();
     if (message && *message) ++topics_[(*message)->topic].messages;
+    if (!message && !trouble) trouble = message.error();
   }
   progress_ = {};
+  return nothing_but_damage(topics_, trouble);
 }
 
 Expected<void> Rosbag1::open() {
@@ -261,8 +265,7 @@ Expected<void> Rosbag1::open() {
   }
   const auto index = read_index();
   if (!index) return Unexpected(index.error());
-  if (!*index) survey();
-  return {};
+  return *index ? Expected<void>{} : survey();
 }
 
 /// The end of the file: an error where the bag was not closed, or lacks its end.

@@ -35,7 +35,7 @@ class Db3Bag final : public Bag {
 
  private:
   [[nodiscard]] Expected<void> read_topics();
-  [[nodiscard]] Expected<void> count_messages();
+  [[nodiscard]] std::optional<Error> count_messages();
   [[nodiscard]] Expected<Message> read_row();
   [[nodiscard]] Expected<Bytes> unpacked(Bytes packed, const Place& place);
   [[nodiscard]] Error error(const Place& place, std::string what, std::string got = {},
@@ -69,12 +69,14 @@ Expected<void> Db3Bag::read_topics() {
   }
 }
 
-Expected<void> Db3Bag::count_messages() {
-  auto rows = file_.query("SELECT topic_id FROM messages");
-  if (!rows) return Unexpected(std::move(rows).error());
+/// Messages of the topics, up to where the table is damaged.
+std::optional<Error> Db3Bag::count_messages() {
+  auto rows = file_.query("SELECT topic_id FROM messages NOT INDEXED");
+  if (!rows) return std::move(rows).error();
   while (true) {
     const auto more = rows->next();
-    if (!more || !*more) return {};  // damage is said where the messages are read
+    if (!more) return more.error();
+    if (!*more) return std::nullopt;
     const auto topic = ids_.find(rows->integer(0));
     if (topic != ids_.end()) ++topics_[topic->second].messages;
   }
@@ -94,7 +96,8 @@ Expected<void> Db3Bag::open() {
     }
   }
   if (auto read = read_topics(); !read) return read;
-  if (auto counted = count_messages(); !counted) return counted;
+  // Damage is said where the messages are read, unless none can be.
+  if (auto usable = nothing_but_damage(topics_, count_messages()); !usable) return usable;
   // In the order of the rows, which is that of recording: sorting by time would need an index, or all of them
   // in memory.
   auto rows = file_.query("SELECT id, topic_id, timestamp, data FROM messages NOT INDEXED");
@@ -151,7 +154,11 @@ Expected<std::optional<Message>> Db3Bag::next() {
   }
   if (!*more) {
     rows_.reset();
-    return std::nullopt;
+    auto whole = file_.check_whole();
+    if (whole) return std::nullopt;
+    ++received_;
+    ++rejected_;
+    return Unexpected(std::move(whole).error());
   }
   ++received_;
   auto message = read_row();
@@ -164,9 +171,19 @@ std::vector<Counter> Db3Bag::counters() const {
   return {{"rows received", received_}, {"rows used", received_ - rejected_}, {"rows rejected", rejected_}};
 }
 
+/// rosbag2 can compress each file as a whole when it is done with it.
+bool is_packed_file(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  return name.ends_with(".db3.zstd") || name.ends_with(".mcap.zstd");
+}
+
 Expected<std::unique_ptr<Bag>> open_any(const std::filesystem::path& path, const InputLimits& limits) {
   auto input = Input::open(path, limits);
   if (!input) return Unexpected(std::move(input).error());
+  if (is_packed_file(path)) {
+    return Unexpected(
+        input->error_at(ErrorCode::kUnusable, 0, "is compressed with zstd: unpack it first (zstd -d)"));
+  }
   return path.extension() == ".mcap" ? open_mcap_bag(*std::move(input)) : open_db3_bag(*std::move(input));
 }
 
@@ -177,7 +194,7 @@ class FolderBag final : public Bag {
       : files_(std::move(files)), limits_(limits), name_(files_.front().parent_path().string()) {}
 
   /// The topics of all files.
-  void open();
+  [[nodiscard]] Expected<void> open(const Log& log);
 
   [[nodiscard]] std::vector<Topic>& topics() override { return topics_; }
   [[nodiscard]] Expected<std::optional<Message>> next() override;
@@ -214,14 +231,20 @@ void add_counters(std::vector<Counter>& sums, const std::vector<Counter>& more) 
   }
 }
 
-void FolderBag::open() {
+Expected<void> FolderBag::open(const Log& log) {
+  std::optional<Error> trouble;
   for (const auto& file : files_) {
+    warn_of_wal(file, log);
     const auto bag = open_any(file, limits_);
-    if (!bag) continue;  // said when its turn comes
+    if (!bag) {  // said when its turn comes, if that ever does
+      if (!trouble) trouble = bag.error();
+      continue;
+    }
     for (const Topic& topic : (*bag)->topics()) {
       topics_[find_or_add(topics_, topic)].messages += topic.messages;
     }
   }
+  return nothing_but_damage(topics_, trouble);
 }
 
 /// The index of a topic of the open file in ours; tells the file whether somebody wants it.
@@ -271,8 +294,25 @@ Expected<std::unique_ptr<Bag>> open_db3_bag(Input input) {
   auto file = SqliteFile::open(std::move(input));
   if (!file) return Unexpected(std::move(file).error());
   auto bag = std::make_unique<Db3Bag>(*std::move(file));
-  if (auto opened = bag->open(); !opened) return Unexpected(std::move(opened).error());
+  if (auto opened = bag->open(); !opened) {
+    Error error = std::move(opened).error();
+    if (error.code == ErrorCode::kDamaged) error.code = ErrorCode::kUnusable;  // nothing could be read
+    return Unexpected(std::move(error));
+  }
   return bag;
+}
+
+void warn_of_wal(const std::filesystem::path& db3, const Log& log) {
+  constexpr std::uintmax_t kWalHeaderBytes = 32;
+  std::filesystem::path wal = db3;
+  wal += "-wal";
+  std::error_code missing;
+  const std::uintmax_t size = std::filesystem::file_size(wal, missing);
+  if (missing || size <= kWalHeaderBytes) return;
+  warn(log,
+       fmt::format("{}: the recorder's WAL is not read, messages in it are missing ({} B); let SQLite take "
+                   "it in: sqlite3 FILE 'PRAGMA wal_checkpoint(TRUNCATE)'",
+                   wal.string(), size));
 }
 
 Expected<std::unique_ptr<Recording>> open_db3(Input input, const RecordingOptions& options) {
@@ -287,7 +327,7 @@ std::vector<std::filesystem::path> find_rosbag2_files(const std::filesystem::pat
   for (std::filesystem::directory_iterator at(folder, failed), end; !failed && at != end;
        at.increment(failed)) {
     const auto suffix = at->path().extension();
-    if (suffix == ".db3" || suffix == ".mcap") out.push_back(at->path());
+    if (suffix == ".db3" || suffix == ".mcap" || is_packed_file(at->path())) out.push_back(at->path());
   }
   std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
     return natural_less(a.filename().string(), b.filename().string());
@@ -308,7 +348,7 @@ Expected<std::unique_ptr<Recording>> open_rosbag2_folder(const std::filesystem::
                             ".db3 or .mcap"});
   }
   auto bag = std::make_unique<FolderBag>(std::move(files), limits);
-  bag->open();
+  if (auto opened = bag->open(options.log); !opened) return Unexpected(std::move(opened).error());
   return open_bag(std::move(bag), options);
 }
 

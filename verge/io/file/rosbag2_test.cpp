@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/file/rosbag2.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,58 @@ TEST(Db3, AViewIsNoTableEvenIfItNeverEnds) {
                    "SELECT n + 1 FROM r) SELECT n AS id, 1 AS topic_id, n AS timestamp, '' AS data FROM r"}));
   ASSERT_EQ(got.errors.size(), 1U);
   EXPECT_EQ(got.errors[0].code, ErrorCode::kUnusable);
+}
+
+TEST(Db3, OfACutFileTheScansBeforeTheCutAreRead) {
+  const std::string whole = db3_of(clouds(0, 300));
+  const Outcome all = run_db3(whole);
+  ASSERT_EQ(all.scans.size(), 300U);
+  std::size_t most = 0;
+  for (std::size_t size = 100; size < whole.size(); size += 1997) {
+    const Outcome got = run_db3(whole.substr(0, size));
+    ASSERT_EQ(got.errors.size(), 1U) << size;
+    EXPECT_EQ(got.errors[0].what, "database is cut") << size;
+    EXPECT_EQ(got.errors[0].where, std::to_string(size));
+    EXPECT_EQ(got.errors[0].need, std::to_string(whole.size()) + " B");
+    if (!got.scans.empty()) {
+      EXPECT_EQ(got.errors[0].code, ErrorCode::kDamaged) << size;
+    }
+    for (std::size_t i = 0; i < got.scans.size(); ++i) {
+      ASSERT_EQ(got.scans[i].cloud.x, all.scans[i].cloud.x) << size;
+    }
+    most = std::max(most, got.scans.size());
+  }
+  EXPECT_GT(most, 250U);
+}
+
+TEST(Db3, AWalWithSomethingInItIsToldOnce) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("a.db3", db3_of(clouds(0, 3)));
+  std::vector<std::string> said;
+  const Log log = [&](LogLevel level, std::string_view text) {
+    EXPECT_EQ(level, LogLevel::kWarning);
+    said.emplace_back(text);
+  };
+  warn_of_wal(path, log);
+  folder.write("a.db3-wal", std::string(32, 'w'));  // a header alone
+  warn_of_wal(path, log);
+  EXPECT_TRUE(said.empty());
+  folder.write("a.db3-wal", std::string(4152, 'w'));
+  EXPECT_EQ(read_through(open_rosbag2_folder(folder.path(), {}, {.log = log})).scans.size(), 3U);
+  EXPECT_THAT(said, ElementsAre(HasSubstr("a.db3-wal: the recorder's WAL is not read")));
+}
+
+TEST(Rosbag2, FilesThatWereCompressedAsAWholeAreNamed) {
+  const TemporaryFolder folder;
+  folder.write("rec_0.db3.zstd", pack(Packing::kZstd, bytes_of(db3_of(clouds(0, 2)))));
+  const Outcome alone = read_through(open_rosbag2_folder(folder.path(), {}, {}));
+  ASSERT_EQ(alone.errors.size(), 1U);
+  EXPECT_EQ(alone.errors[0].code, ErrorCode::kUnusable);
+  EXPECT_THAT(to_string(alone.errors[0]), HasSubstr("rec_0.db3.zstd:0: is compressed with zstd: unpack it"));
+  folder.write("rec_1.db3", db3_of(clouds(2, 2)));  // the one that was written last
+  const Outcome got = read_through(open_rosbag2_folder(folder.path(), {}, {}));
+  EXPECT_THAT(got.points(), ElementsAre(3, 4));
+  EXPECT_EQ(got.errors.size(), 1U);
 }
 
 TEST(Db3, OtherSerializationsAreNotRead) {

@@ -17,20 +17,29 @@ namespace {
 
 // SQLite reads through a "virtual file system": these functions give it the Input as its only file.
 
+/// A database and how long its header says that it is, where that is more than there is.
+struct Served {
+  Input input;
+  std::uint64_t promised_bytes = 0;
+};
+
 /// SQLite makes room for this; the first member is what it knows of it.
 struct InputFile {
   sqlite3_file base;
-  Input* input;
+  Served* served;
 };
 
 int close_file(sqlite3_file*) { return SQLITE_OK; }
 
-/// What lies behind the end reads as zeros, and says so.
+/// What lies behind the end reads as zeros, and says so; in a file that is cut it is an error, since SQLite
+/// takes zeros for data.
 int read_file(sqlite3_file* file, void* out, int amount, sqlite3_int64 offset) {
-  Input& input = *reinterpret_cast<InputFile*>(file)->input;
+  const Served& served = *reinterpret_cast<InputFile*>(file)->served;
+  Input& input = reinterpret_cast<InputFile*>(file)->served->input;
   const auto wanted = static_cast<std::uint64_t>(amount);
   const auto begin = std::min(static_cast<std::uint64_t>(offset), input.size());
   const std::uint64_t length = std::min(wanted, input.size() - begin);
+  if (length < wanted && served.promised_bytes > input.size()) return SQLITE_IOERR_READ;
   const auto bytes = input.read(begin, length);
   if (!bytes) return SQLITE_IOERR_READ;
   std::memset(out, 0, wanted);
@@ -42,7 +51,8 @@ int write_file(sqlite3_file*, const void*, int, sqlite3_int64) { return SQLITE_R
 int truncate_file(sqlite3_file*, sqlite3_int64) { return SQLITE_READONLY; }
 int sync_file(sqlite3_file*, int) { return SQLITE_OK; }
 int size_file(sqlite3_file* file, sqlite3_int64* size) {
-  *size = static_cast<sqlite3_int64>(reinterpret_cast<InputFile*>(file)->input->size());
+  const Served& served = *reinterpret_cast<InputFile*>(file)->served;
+  *size = static_cast<sqlite3_int64>(std::max(served.input.size(), served.promised_bytes));
   return SQLITE_OK;
 }
 int lock_file(sqlite3_file*, int) { return SQLITE_OK; }
@@ -81,7 +91,7 @@ int open_file(sqlite3_vfs* vfs, const char*, sqlite3_file* file, int flags, int*
   auto* opened = reinterpret_cast<InputFile*>(file);
   opened->base.pMethods = nullptr;
   if ((flags & SQLITE_OPEN_MAIN_DB) == 0) return SQLITE_CANTOPEN;
-  opened->input = static_cast<Input*>(vfs->pAppData);
+  opened->served = static_cast<Served*>(vfs->pAppData);
   opened->base.pMethods = methods();
   if (out_flags != nullptr) *out_flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_MAIN_DB;
   return SQLITE_OK;
@@ -106,13 +116,13 @@ int no_time(sqlite3_vfs*, double* days) {
   return SQLITE_OK;
 }
 
-sqlite3_vfs file_system_of(Input* input, const char* name) {
+sqlite3_vfs file_system_of(Served* served, const char* name) {
   sqlite3_vfs vfs{};
   vfs.iVersion = 1;
   vfs.szOsFile = sizeof(InputFile);
   vfs.mxPathname = 16;
   vfs.zName = name;
-  vfs.pAppData = input;
+  vfs.pAppData = served;
   vfs.xOpen = open_file;
   vfs.xDelete = delete_file;
   vfs.xAccess = access_file;
@@ -144,41 +154,65 @@ void restrict_database(sqlite3* database, const Input& input, int* looks) {
   sqlite3_progress_handler(database, kStepsPerLook, look, looks);
 }
 
-Error damaged(const std::string& name, sqlite3* database) {
-  return {ErrorCode::kDamaged, name, {}, "database is damaged", sqlite3_errmsg(database), {}};
+constexpr std::size_t kHeaderBytes = 100;
+
+/// Pages x their size, as the header of a database says them (sqlite.org/fileformat2.html, 1.3); 0 where it
+/// does not say: old versions of SQLite left the number of pages as it was, and the second counter behind.
+std::uint64_t promised_bytes(Bytes header) {
+  if (header.size() < kHeaderBytes) return 0;
+  if (load_be<std::uint32_t>(header, 24) != load_be<std::uint32_t>(header, 92)) return 0;
+  const auto page = load_be<std::uint16_t>(header, 16);
+  return load_be<std::uint32_t>(header, 28) * (page == 1 ? std::uint64_t{65536} : page);
 }
 
 }  // namespace
 
-/// What SQLite holds pointers to stays where it is.
-struct SqliteFile::State {
-  explicit State(Input source) : input(std::move(source)) {}
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() { sqlite3_close(database); }
+struct SqliteState {
+  SqliteState(Input source, std::uint64_t promised) : served{std::move(source), promised} {}
+  SqliteState(const SqliteState&) = delete;
+  SqliteState& operator=(const SqliteState&) = delete;
+  ~SqliteState() { sqlite3_close(database); }
 
-  Input input;
+  /// What SQLite says is wrong; or that the file is cut, which it cannot know.
+  [[nodiscard]] Error damaged() const;
+  [[nodiscard]] Expected<void> check_whole() const;
+
+  Served served;
   std::string name = fmt::format("verge-{}", static_cast<const void*>(this));  // of the file system
-  sqlite3_vfs vfs = file_system_of(&input, name.c_str());
+  sqlite3_vfs vfs = file_system_of(&served, name.c_str());
   int looks = 0;
   sqlite3* database = nullptr;
 };
 
-SqliteFile::SqliteFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Expected<void> SqliteState::check_whole() const {
+  const Input& input = served.input;
+  if (served.promised_bytes <= input.size()) return {};
+  return Unexpected(input.error_at(ErrorCode::kDamaged, input.size(), "database is cut",
+                                   fmt::format("{} B", input.size()),
+                                   fmt::format("{} B", served.promised_bytes)));
+}
+
+Error SqliteState::damaged() const {
+  if (auto whole = check_whole(); !whole) return std::move(whole).error();
+  return {ErrorCode::kDamaged, served.input.name(), {}, "database is damaged", sqlite3_errmsg(database), {}};
+}
+
+SqliteFile::SqliteFile(std::unique_ptr<SqliteState> state) : state_(std::move(state)) {}
 SqliteFile::SqliteFile(SqliteFile&&) noexcept = default;
 SqliteFile& SqliteFile::operator=(SqliteFile&&) noexcept = default;
 SqliteFile::~SqliteFile() = default;
 
-const Input& SqliteFile::input() const { return state_->input; }
+const Input& SqliteFile::input() const { return state_->served.input; }
+Expected<void> SqliteFile::check_whole() const { return state_->check_whole(); }
 
 void SqliteRows::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 Expected<bool> SqliteRows::next() {
-  *looks_ = 0;
+  state_->looks = 0;
   const int state = sqlite3_step(statement_.get());
   if (state == SQLITE_ROW) return true;
   if (state == SQLITE_DONE) return false;
-  return Unexpected(damaged(name_, sqlite3_db_handle(statement_.get())));
+  return Unexpected(state_->damaged());
 }
 
 std::int64_t SqliteRows::integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
@@ -198,18 +232,19 @@ std::optional<Bytes> SqliteRows::blob(int column) const {
 }
 
 Expected<SqliteFile> SqliteFile::open(Input input) {
-  const auto magic = input.head(kSqliteMagic.size());
-  if (!magic) return Unexpected(magic.error());
-  if (as_text(*magic) != kSqliteMagic)
+  const auto header = input.head(kHeaderBytes);
+  if (!header) return Unexpected(header.error());
+  if (!as_text(*header).starts_with(kSqliteMagic))
     return Unexpected(input.error_at(ErrorCode::kUnusable, 0, "no SQLite database"));
-  auto state = std::make_unique<State>(std::move(input));
+  const std::uint64_t promised = promised_bytes(*header);
+  auto state = std::make_unique<SqliteState>(std::move(input), promised);
   // SQLite finds file systems by name; ours is known only while it opens the database.
   sqlite3_vfs_register(&state->vfs, 0);
   const int opened = sqlite3_open_v2("input", &state->database, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX,
                                      state->name.c_str());
   sqlite3_vfs_unregister(&state->vfs);
-  if (opened != SQLITE_OK) return Unexpected(damaged(state->input.name(), state->database));
-  restrict_database(state->database, state->input, &state->looks);
+  if (opened != SQLITE_OK) return Unexpected(state->damaged());
+  restrict_database(state->database, state->served.input, &state->looks);
   return SqliteFile(std::move(state));
 }
 
@@ -230,9 +265,8 @@ Expected<SqliteRows> SqliteFile::query(const char* sql) const {
   const int prepared = sqlite3_prepare_v2(state_->database, sql, -1, &made, nullptr);
   SqliteRows out;
   out.statement_.reset(made);
-  out.name_ = state_->input.name();
-  out.looks_ = &state_->looks;
-  if (prepared != SQLITE_OK) return Unexpected(damaged(out.name_, state_->database));
+  out.state_ = state_.get();
+  if (prepared != SQLITE_OK) return Unexpected(state_->damaged());
   return out;
 }
 

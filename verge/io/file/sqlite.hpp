@@ -21,6 +21,9 @@ namespace verge::io {
 /// What a SQLite database begins with.
 inline constexpr std::string_view kSqliteMagic("SQLite format 3\0", 16);
 
+/// An open database; what SQLite holds pointers to stays where it is.
+struct SqliteState;
+
 /// A statement that gives rows.
 class SqliteRows {
  public:
@@ -39,12 +42,12 @@ class SqliteRows {
     void operator()(sqlite3_stmt* statement) const;
   };
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
-  std::string name_;
-  int* looks_ = nullptr;  // of the database
+  SqliteState* state_ = nullptr;
 };
 
 /// A SQLite database, read only, through an Input: nothing is written beside it, no lock is taken, memory and
 /// files are the same to it. What a recorder that was killed left in a journal or WAL beside it is not seen.
+/// Of a file that is cut, what lies in its pages that are there can be read.
 class SqliteFile {
  public:
   /// Fails with kUnusable where the input is no database.
@@ -56,6 +59,8 @@ class SqliteFile {
   ~SqliteFile();
 
   [[nodiscard]] const Input& input() const;
+  /// Fails with kDamaged where the file is shorter than its header says.
+  [[nodiscard]] Expected<void> check_whole() const;
   /// Whether there is a table (no view, no virtual table) of this name.
   [[nodiscard]] Expected<bool> has_table(const std::string& name) const;
   /// Rows of a query of ours, which must go before the database does. Fails with kDamaged where the tables
@@ -63,9 +68,8 @@ class SqliteFile {
   [[nodiscard]] Expected<SqliteRows> query(const char* sql) const;
 
  private:
-  struct State;
-  explicit SqliteFile(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit SqliteFile(std::unique_ptr<SqliteState> state);
+  std::unique_ptr<SqliteState> state_;
 };
 
 }  // namespace verge::io

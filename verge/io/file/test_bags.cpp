@@ -46,16 +46,6 @@ std::string text32(std::string_view value) {
   return le(static_cast<std::uint32_t>(value.size())) + std::string(value);
 }
 
-std::string packed_by(const std::string& compression, std::string records) {
-  if (compression == "lz4") return io::pack(io::Packing::kLz4, bytes_of(records));
-  if (compression == "none") return records;
-  std::string out(records.size() * 2 + 600, '\0');
-  auto size = static_cast<unsigned>(out.size());
-  BZ2_bzBuffToBuffCompress(out.data(), &size, records.data(), static_cast<unsigned>(records.size()), 9, 0, 0);
-  out.resize(size);
-  return out;
-}
-
 std::string time_field(std::int64_t time_ns) {
   return le(static_cast<std::uint32_t>(time_ns / kSecond)) +
          le(static_cast<std::uint32_t>(time_ns % kSecond));
@@ -200,6 +190,16 @@ std::string bag_record(std::string_view header, std::string_view data) {
   return text32(header) + text32(data);
 }
 
+std::string packed_by(const std::string& compression, std::string records) {
+  if (compression == "lz4") return io::pack(io::Packing::kLz4, bytes_of(records));
+  if (compression == "none") return records;
+  std::string out(records.size() * 2 + 600, '\0');
+  auto size = static_cast<unsigned>(out.size());
+  BZ2_bzBuffToBuffCompress(out.data(), &size, records.data(), static_cast<unsigned>(records.size()), 9, 0, 0);
+  out.resize(size);
+  return out;
+}
+
 std::string rosbag1_of(const std::vector<TestMessage>& messages, const BagShape& shape) {
   constexpr std::size_t kBagHeaderBytes = 4096;
   const std::string magic = "#ROSBAG V2.0\n";
@@ -267,6 +267,7 @@ std::string db3_of(const std::vector<TestMessage>& messages, const Db3Shape& sha
     if (sqlite3_exec(made, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
       throw std::runtime_error(sqlite3_errmsg(made));
   };
+  run("PRAGMA page_size=" + std::to_string(shape.page_bytes));
   run("CREATE TABLE topics(id INTEGER PRIMARY KEY,name TEXT NOT NULL,type TEXT NOT NULL,"
       "serialization_format TEXT NOT NULL,offered_qos_profiles TEXT NOT NULL);"
       "CREATE TABLE messages(id INTEGER PRIMARY KEY,topic_id INTEGER NOT NULL,timestamp INTEGER NOT NULL,"

@@ -110,6 +110,8 @@ struct BagShape {
 };
 /// A ROS 1 bag; the messages' data are of Wire::kRos1.
 [[nodiscard]] std::string rosbag1_of(const std::vector<TestMessage>& messages, const BagShape& shape = {});
+/// Records as a chunk of a ROS 1 bag with this compression holds them.
+[[nodiscard]] std::string packed_by(const std::string& compression, std::string records);
 /// A field of the header of a record of a ROS 1 bag, and a record.
 [[nodiscard]] std::string bag_field(std::string_view name, std::string_view value);
 [[nodiscard]] std::string bag_record(std::string_view header, std::string_view data);
@@ -123,6 +125,7 @@ template <class T>
 struct Db3Shape {
   bool compress = false;  ///< Each message with zstd.
   std::string serialization = "cdr";
+  std::uint32_t page_bytes = 4096;
   std::string more_sql{};  ///< Run at the end.
 };
 [[nodiscard]] std::string db3_of(const std::vector<TestMessage>& messages, const Db3Shape& shape = {});
