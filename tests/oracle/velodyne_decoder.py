@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The verge authors
 # SPDX-License-Identifier: Apache-2.0
-"""A second decoder of HDL-32E data packets, written from docs/formats.md alone, against ours.
+"""A second decoder of HDL-32E data packets, written from docs/formats_velodyne.md alone, against ours.
 
 Draws random packets (with faults in them), decodes them by numpy, lets PROGRAM decode the same bytes, and
 compares every measurement: ring, azimuth, distance and intensity to the last bit, time to 0.001 us.

@@ -71,7 +71,7 @@ struct Facts {
   Calibration calibration{};  ///< Of the model; an HDL-64E's own differs (read_calibration()).
 };
 
-/// The facts of a model, with their sources in its own file and in docs/formats.md.
+/// The facts of a model, with their sources in its own file and in docs/formats_velodyne.md.
 [[nodiscard]] const Facts& facts_of(Model model);
 
 /// The models' own files.

@@ -57,7 +57,7 @@ struct PositionPacket {
   NmeaReading nmea{};
 };
 
-/// Exactly kPositionBytes of `payload`; defined for every content. Source: docs/formats.md.
+/// Exactly kPositionBytes of `payload`; defined for every content. Source: docs/formats_velodyne.md.
 [[nodiscard]] PositionPacket parse_position(Bytes payload);
 
 }  // namespace verge::sensor::velodyne
