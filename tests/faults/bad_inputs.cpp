@@ -32,10 +32,16 @@ std::function<fs::path(const fs::path&)> folder(std::string name,
   };
 }
 
+void Section::add(int number, BadInput input) {
+  const auto variant = static_cast<char>('a' + variants_[number]++);
+  input.code = letter_ + std::string(number < 10 ? "0" : "") + std::to_string(number) + variant;
+  all_.push_back(std::move(input));
+}
+
 std::vector<BadInput> bad_inputs() {
   std::vector<BadInput> all;
-  for (auto* section :
-       {&bad_inputs_any, &bad_inputs_bin, &bad_inputs_pcd, &bad_inputs_ply, &bad_inputs_csv}) {
+  for (auto* section : {&bad_inputs_any, &bad_inputs_bin, &bad_inputs_pcd, &bad_inputs_ply, &bad_inputs_csv,
+                        &bad_inputs_ibeo, &bad_inputs_las, &bad_inputs_ros}) {
     for (BadInput& input : section()) all.push_back(std::move(input));
   }
   return all;

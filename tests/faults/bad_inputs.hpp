@@ -5,12 +5,15 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-// The catalogue of bad inputs: sections G (any file), K (KITTI, nuScenes), C (PCD), Y (PLY) and S (CSV) of
-// the contract that docs/reliability.md states. Each is generated, and each says how the program has to end.
+// The catalogue of bad inputs: sections G (any file), K (KITTI, nuScenes), C (PCD), Y (PLY), S (CSV),
+// L (ibeo), A (LAS) and R (recordings of ROS) of the contract that docs/reliability.md states. Each is
+// generated, and each says how the program has to end.
 
 namespace verge::faults {
 
@@ -39,6 +42,22 @@ struct BadInput {
   std::string format{};                  ///< Forced (--format); empty: guessed.
   std::size_t memory_mib = 0;            ///< Ceiling to run it with (--max-mem); 0: the usual one.
   bool as_user = false;                  ///< Proves nothing to a superuser: run it as somebody else.
+  std::size_t errors = 1;                ///< How many there are (at kDamaged).
+  std::map<std::string, std::uint64_t> counted{};  ///< Of the recording's counters, some.
+};
+
+/// The inputs of one section, whose codes get a letter for each variant.
+class Section {
+ public:
+  explicit Section(char letter) : letter_(letter) {}
+  /// Another variant of number `number`; its code is filled in.
+  void add(int number, BadInput input);
+  [[nodiscard]] std::vector<BadInput> take() && { return std::move(all_); }
+
+ private:
+  char letter_;
+  std::map<int, int> variants_;
+  std::vector<BadInput> all_;
 };
 
 /// A file of these bytes.
@@ -55,6 +74,9 @@ void write(const std::filesystem::path& path, const std::string& bytes);
 [[nodiscard]] std::vector<BadInput> bad_inputs_pcd();
 [[nodiscard]] std::vector<BadInput> bad_inputs_ply();
 [[nodiscard]] std::vector<BadInput> bad_inputs_csv();
+[[nodiscard]] std::vector<BadInput> bad_inputs_ibeo();
+[[nodiscard]] std::vector<BadInput> bad_inputs_las();
+[[nodiscard]] std::vector<BadInput> bad_inputs_ros();
 
 /// All of them.
 [[nodiscard]] std::vector<BadInput> bad_inputs();

@@ -97,6 +97,26 @@ void add_what_is_no_file(std::vector<BadInput>& all) {
                  kCannotOpen, "cannot open"});
 }
 
+/// Bytes that are no text, in names and where an error quotes them.
+void add_quotes(std::vector<BadInput>& all) {
+  const std::string raw = "\xFF\xC3(\x1B[31m\xC2\x9B";
+  const std::string quoted = "\\xFF\\xC3(\\x1B[31m\\xC2\\x9B";
+  all.push_back({"G13c", "NoUtf8InAPath", file("G13" + raw + ".pcd", pcd_ascii(sample_points(4, 50))), kGood,
+                 "", "", 200, 0});
+  all.push_back({"G13d", "NoUtf8InABadFilesPath", file("G13" + raw + ".pcd", "abc"), kUnusable, quoted});
+  all.push_back({"G13e", "NoUtf8InAPcdHeader", file("G13.pcd", "# .PCD v0.7\nVERSION 0.7\n" + raw + " 1\n"),
+                 kUnusable, quoted, "3:1"});
+  all.push_back({"G13f", "NoUtf8InAPlyHeader", file("G13.ply", "ply\nformat ascii 1.0\n" + raw + " 1\n"),
+                 kUnusable, quoted, "3:1"});
+  all.push_back(
+      {"G13g", "NoUtf8InACsv", file("G13.csv", "x,y,z\n1,2,3\n1," + raw + ",3\n"), kUnusable, quoted, "3:3"});
+  std::string roads;
+  for (int i = 0; i < 200; ++i) roads += "\xE9\x81\x93";
+  all.push_back({"G13h", "LongWordInAPcdHeader",
+                 file("G13.pcd", "# .PCD v0.7\nVERSION 0.7\n" + roads + " 1\n"), kUnusable, "\xE9\x81\x93...",
+                 "3:1"});
+}
+
 }  // namespace
 
 std::vector<BadInput> bad_inputs_any() {
@@ -131,6 +151,7 @@ std::vector<BadInput> bad_inputs_any() {
                  [](const fs::path& in) { return in / "G13\n\x1B[31m.bin"; }, kCannotOpen, "\\x0A\\x1B[31m"});
   all.push_back({"G13b", "NewlineAndEscapeInABadFilesPath", file("G13\n\x1B[31m.bin", "abc"), kUnusable,
                  "\\x0A\\x1B[31m"});
+  add_quotes(all);
   all.push_back({"G16", "VerticesBehind5GiB", &five_gibibytes, kGood, "", "", 200, 0});
   return all;
 }

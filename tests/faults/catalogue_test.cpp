@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "tests/faults/bad_inputs.hpp"
+#include "tests/faults/counter_sums.hpp"
 #include "tests/faults/memory_meter.hpp"
 #include "verge/core/error.hpp"
 #include "verge/io/source.hpp"
@@ -55,6 +56,13 @@ struct Outcome {
   std::size_t scans = 0;
   std::size_t used = 0;
   std::size_t dropped = 0;
+  std::vector<io::Counter> counters;
+
+  [[nodiscard]] std::uint64_t count(const std::string& name) const {
+    const auto found = std::find_if(counters.begin(), counters.end(),
+                                    [&](const io::Counter& counter) { return counter.name == name; });
+    return found == counters.end() ? 0 : found->count;
+  }
 
   /// As the program ends: damage where some scans could be used, else the error.
   [[nodiscard]] Exit exit() const {
@@ -78,11 +86,13 @@ Outcome read_all(const fs::path& path, const io::OpenOptions& options) {
       outcome.errors.push_back(scan.error());
       continue;
     }
-    if (!*scan) return outcome;
+    if (!*scan) break;
     ++outcome.scans;
     outcome.used += (*scan)->size();
     outcome.dropped += (*scan)->dropped;
   }
+  outcome.counters = (*source)->counters();
+  return outcome;
 }
 
 /// Bytes of the file, or of all files of the folder; what is no file has none.
@@ -165,6 +175,11 @@ TEST_P(Catalogue, EndsAsTheContractSays) {
   if (bad.dropped) {
     EXPECT_EQ(outcome.dropped, *bad.dropped);
   }
+  if (bad.exit == kDamaged) {
+    EXPECT_EQ(outcome.errors.size(), bad.errors);
+  }
+  EXPECT_TRUE(add_up(outcome.counters));
+  for (const auto& [name, count] : bad.counted) EXPECT_EQ(outcome.count(name), count) << name;
   // The contract's bound: 16 MiB + 64 x what is there, and the ceiling.
   const std::size_t bound =
       bad.memory_mib > 0 ? bad.memory_mib << 20U : (16U << 20U) + 64 * bytes_below(path);
@@ -178,8 +193,10 @@ TEST(CatalogueItself, HasEveryCodeOfItsSectionsAndNoneTwice) {
   for (const BadInput& input : bad_inputs()) {
     EXPECT_TRUE(codes.insert(input.code).second) << input.code << " stands twice";
   }
-  const std::vector<std::pair<char, int>> sections{{'G', 16}, {'K', 7}, {'C', 16}, {'Y', 10}, {'S', 9}};
-  const std::set<std::string> elsewhere{"G09", "G10", "G15"};  // verge/io/input_test.cpp
+  const std::vector<std::pair<char, int>> sections{{'G', 16}, {'K', 7},  {'C', 16}, {'Y', 10},
+                                                   {'S', 9},  {'L', 22}, {'A', 13}, {'R', 10}};
+  const std::set<std::string> elsewhere{"G09", "G10", "G15",  // verge/io/input_test.cpp
+                                        "L16"};               // live connections: not in a file
   for (const auto& [section, count] : sections) {
     for (int i = 1; i <= count; ++i) {
       const std::string code = section + std::string(i < 10 ? "0" : "") + std::to_string(i);

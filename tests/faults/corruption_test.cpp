@@ -67,6 +67,7 @@ std::string name_of(const ::testing::TestParamInfo<Sample>& info) {
 class Corruption : public ::testing::TestWithParam<Sample> {};
 class BinaryCorruption : public Corruption {};
 class HeaderCorruption : public Corruption {};
+class LasCorruption : public Corruption {};
 
 constexpr std::size_t kRings = 3;
 constexpr std::size_t kColumns = 5;
@@ -81,6 +82,7 @@ std::vector<Sample> samples_that(Predicate predicate) {
 bool is_binary(const Sample& sample) {
   return sample.file.find("csv") == std::string::npos && sample.file.find("ascii") == std::string::npos;
 }
+bool is_las(const Sample& sample) { return sample.file.ends_with(".las"); }
 bool has_header(const Sample& sample) { return sample.header > 0; }
 
 /// Where the words of the header begin and how long they are.
@@ -176,6 +178,23 @@ TEST_P(HeaderCorruption, EveryFieldAtItsExtremes) {
   }
 }
 
+// Wherever a field of 2, 4 or 8 bytes may stand in a header that is no text.
+TEST_P(LasCorruption, EveryFieldAtItsExtremes) {
+  const Sample& sample = GetParam();
+  for (std::size_t at = 0; at < sample.bytes.size(); ++at) {
+    for (const std::size_t width : {2U, 4U, 8U}) {
+      if (at + width > sample.bytes.size()) continue;
+      const auto low = std::string(width - 1, '\0');
+      const auto high = std::string(width - 1, '\xFF');
+      for (const std::string& extreme : {low + '\0', high + '\xFF', high + '\x7F', low + '\x80'}) {
+        std::string bytes = sample.bytes;
+        expect_handled(bytes.replace(at, width, extreme), sample.file,
+                       std::to_string(width) + " bytes from " + std::to_string(at));
+      }
+    }
+  }
+}
+
 TEST_P(Corruption, EveryBitFlipped) {
   const Sample& sample = GetParam();
   for (std::size_t at = 0; at < sample.bytes.size(); ++at) {
@@ -208,6 +227,7 @@ TEST_P(Corruption, UnderEveryOtherName) {
 
 INSTANTIATE_TEST_SUITE_P(Samples, Corruption, ::testing::ValuesIn(samples(kRings, kColumns)), name_of);
 INSTANTIATE_TEST_SUITE_P(Samples, BinaryCorruption, ::testing::ValuesIn(samples_that(&is_binary)), name_of);
+INSTANTIATE_TEST_SUITE_P(Samples, LasCorruption, ::testing::ValuesIn(samples_that(&is_las)), name_of);
 INSTANTIATE_TEST_SUITE_P(Samples, HeaderCorruption, ::testing::ValuesIn(samples_that(&has_header)), name_of);
 
 }  // namespace verge::faults

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "verge/io/file/test_las.hpp"
+
 namespace verge::faults {
 namespace {
 
@@ -155,6 +157,15 @@ std::string csv(const std::vector<SamplePoint>& points, bool header) {
   return bytes;
 }
 
+std::string las(const std::vector<SamplePoint>& points, int minor, std::uint8_t format) {
+  testing::LasFile out(minor, format, points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SamplePoint& p = points[i];
+    out.place(i, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
+  }
+  return out.bytes();
+}
+
 std::vector<Sample> samples(std::size_t rings, std::size_t columns) {
   const std::vector<SamplePoint> points = sample_points(rings, columns);
   std::vector<Sample> all{{"kitti.bin", kitti(points)},
@@ -168,7 +179,9 @@ std::vector<Sample> samples(std::size_t rings, std::size_t columns) {
                           {"little_faces.ply", ply_binary(points, false, true)},
                           {"big_faces.ply", ply_binary(points, true, true)},
                           {"header.csv", csv(points, true)},
-                          {"plain.csv", csv(points, false)}};
+                          {"plain.csv", csv(points, false)},
+                          {"first.las", las(points, 2, 1)},
+                          {"latest.las", las(points, 4, 7)}};
   for (Sample& sample : all) {
     for (const char* last : {"end_header\n", "DATA ascii\n", "DATA binary\n", "DATA binary_compressed\n"}) {
       const std::size_t found = sample.bytes.find(last);

@@ -56,6 +56,9 @@ struct SamplePoint {
 /// Paper 2's table: number, level, distance, x, y, z.
 [[nodiscard]] std::string csv(const std::vector<SamplePoint>& points, bool header);
 
+/// LAS 1.MINOR of a point format.
+[[nodiscard]] std::string las(const std::vector<SamplePoint>& points, int minor, std::uint8_t format);
+
 /// A valid file of every format and kind of data.
 struct Sample {
   std::string file;

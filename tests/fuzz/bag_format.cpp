@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/fuzz/bag_format.hpp"
 
-#include <map>
+#include "tests/faults/counter_sums.hpp"
 
 namespace verge::fuzz {
 namespace {
@@ -16,17 +16,6 @@ void check_columns(const Cloud& cloud) {
   require(cloud.ring.empty() || cloud.ring.size() == n);
   require(cloud.time_s.empty() || cloud.time_s.size() == n);
   require(cloud.label.empty() || cloud.label.size() == n);
-}
-
-/// Of each kind ("messages", "packets", ...) what was received, and the sum of what became of it.
-void check_sums(const std::vector<io::Counter>& counters) {
-  std::map<std::string, std::uint64_t> received;
-  std::map<std::string, std::uint64_t> sums;
-  for (const io::Counter& counter : counters) {
-    const std::string kind = counter.name.substr(0, counter.name.find(' '));
-    (counter.name == kind + " received" ? received : sums)[kind] += counter.count;
-  }
-  require(received == sums);
 }
 
 /// What came of it, in short: scans, points, errors.
@@ -45,7 +34,7 @@ std::string run(Bytes bytes, OpenRecording open) {
     } else {
       const auto again = (*recording)->next();  // the end stays
       require(again && !*again);
-      check_sums((*recording)->counters());
+      require(faults::add_up((*recording)->counters()));
       return out;
     }
   }

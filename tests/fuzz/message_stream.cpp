@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <variant>
+
+#include "tests/faults/counter_sums.hpp"
 
 namespace verge::fuzz {
 namespace {
@@ -67,17 +68,6 @@ void check_cover(const std::vector<Event>& events, std::size_t size) {
   require(at == size);
 }
 
-/// "KIND received" is the sum of the others of its kind.
-void check_counters(const std::vector<io::Counter>& counters) {
-  std::map<std::string, std::uint64_t> received;
-  std::map<std::string, std::uint64_t> rest;
-  for (const io::Counter& counter : counters) {
-    const std::string kind = counter.name.substr(0, counter.name.find(' '));
-    (counter.name == kind + " received" ? received : rest)[kind] += counter.count;
-  }
-  require(received == rest);
-}
-
 void check_points(const Cloud& cloud, std::size_t size) {
   require(cloud.x.size() <= size / 10);
   for (std::size_t i = 0; i < cloud.x.size(); ++i) {
@@ -119,7 +109,7 @@ void read_to_its_end(Bytes input, const OpenRecording& open) {
   for (std::size_t calls = 0; calls <= size + 2; ++calls) {
     const auto scan = (*recording)->next();
     if (scan && !*scan) {
-      check_counters((*recording)->counters());
+      require(faults::add_up((*recording)->counters()));
       return;
     }
     if (scan) check_points((*scan)->cloud, size);

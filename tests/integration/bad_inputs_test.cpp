@@ -15,6 +15,7 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -77,6 +78,16 @@ std::vector<std::string> lines_with(const std::string& text, const std::string& 
   return found;
 }
 
+/// As somebody else judges it: the library refuses to write other texts.
+bool is_utf8(const std::string& text) {
+  try {
+    static_cast<void>(nlohmann::json(text).dump());
+    return true;
+  } catch (const nlohmann::json::exception&) {
+    return false;
+  }
+}
+
 class BadInputs : public ::testing::TestWithParam<BadInput> {
  protected:
   void SetUp() override {
@@ -88,8 +99,9 @@ class BadInputs : public ::testing::TestWithParam<BadInput> {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] Ended run(const std::string& verb) const {
-    std::vector<std::string> arguments{verb, path_.string()};
+  [[nodiscard]] Ended run(const std::vector<std::string>& verb) const {
+    std::vector<std::string> arguments = verb;
+    arguments.push_back(path_.string());
     if (!GetParam().format.empty()) arguments.insert(arguments.end(), {"--format", GetParam().format});
     if (GetParam().memory_mib > 0) {
       arguments.insert(arguments.end(), {"--max-mem", std::to_string(GetParam().memory_mib)});
@@ -103,16 +115,21 @@ class BadInputs : public ::testing::TestWithParam<BadInput> {
 
 TEST_P(BadInputs, EndAsTheContractSays) {
   const BadInput& input = GetParam();
-  for (const auto* verb : {"detect", "info"}) {
+  const std::vector<std::vector<std::string>> verbs{{"detect"}, {"info"}, {"info", "--json"}};
+  for (const auto& verb : verbs) {
     const Ended ended = run(verb);
-    EXPECT_EQ(ended.code, static_cast<int>(input.exit)) << verb << "\n" << ended.err;
+    EXPECT_EQ(ended.code, static_cast<int>(input.exit)) << verb.front() << "\n" << ended.err;
+    EXPECT_TRUE(is_utf8(ended.err) && is_utf8(ended.out)) << ended.err;
+    if (verb.back() == "--json" && !ended.out.empty()) {
+      EXPECT_TRUE(nlohmann::json::accept(ended.out)) << ended.out;
+    }
     const auto errors = lines_with(ended.err, "verge: error: ");
     if (input.exit == kGood) {
       EXPECT_TRUE(errors.empty()) << ended.err;
       EXPECT_FALSE(ended.out.empty());
       continue;
     }
-    ASSERT_EQ(errors.size(), 1U) << ended.err;
+    ASSERT_EQ(errors.size(), input.errors) << ended.err;
     EXPECT_LE(errors[0].size(), 300U);
     EXPECT_THAT(errors[0], HasSubstr(input.says));
     if (!input.where.empty()) {
