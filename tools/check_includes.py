@@ -107,7 +107,9 @@ def code_only(text):
 
 def check_arrow(arrows, path, target):
     """What is wrong with `path` including "target", or None."""
-    if not target.startswith((f"{LIBRARY}/", f"{path.parts[0]}/")):
+    own = path.parts[0]
+    known = (LIBRARY, own, "apps") if own in LOOK_BEHIND else (LIBRARY, own)
+    if not target.startswith(tuple(f"{folder}/" for folder in known)):
         return f'include from the root of the repository: "verge/...", not "{target}"'
     room, folder = room_of(path)
     target_room, target_folder = room_of(pathlib.PurePath(target))

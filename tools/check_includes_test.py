@@ -85,6 +85,13 @@ class CheckIncludes(unittest.TestCase):
         self.write("verge/core/vec.hpp", '#include "tests/laws/world.hpp"\n')
         self.assertEqual(len(self.breaches()), 1)
 
+    def test_tests_may_use_the_programs_parts_and_the_library_may_not(self):
+        self.write("apps/verge/settings.hpp", "\n")
+        self.write("tests/fuzz/config_fuzz.cpp", '#include "apps/verge/settings.hpp"\n')
+        self.assertEqual(self.breaches(), [])
+        self.write("verge/core/pose.cpp", '#include "apps/verge/settings.hpp"\n')
+        self.assertEqual(len(self.breaches()), 1)
+
     def test_relative_and_missing_includes_are_caught(self):
         self.write("verge/core/pose.cpp", '#include "vec.hpp"\n#include "verge/core/gone.hpp"\n')
         self.assertEqual([line.split(": ")[0] for line in self.breaches()],
