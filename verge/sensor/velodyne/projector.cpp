@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "verge/core/angle.hpp"
+#include "verge/sensor/velodyne/correction.hpp"
 
 namespace verge::sensor::velodyne {
 namespace {
@@ -39,12 +40,6 @@ std::uint16_t count_at_least(double range_m, double step_m) {
 }
 std::uint16_t count_at_most(double range_m, double step_m) {
   return static_cast<std::uint16_t>(std::clamp(std::floor(range_m / step_m + 1e-6), 0.0, 65'535.0));
-}
-
-/// Share of the way from the near point of the calibration to its far point.
-double share(double at_m, double near_m) {
-  constexpr double kFarM = 25.04;
-  return (at_m - near_m) / (kFarM - near_m);
 }
 
 template <class T>
@@ -134,8 +129,7 @@ void Projector::place(const Bank& bank, const PlannedBlock& plan, Lanes& lanes) 
   }
 }
 
-/// HDL-64E: beams that do not start in the origin, and distances that are corrected otherwise near by (manual
-/// of the S3, "calibration": the correction goes linearly between two distances, ahead and aside apart).
+/// HDL-64E: beams that do not start in the origin, and distances that are corrected otherwise near by.
 void Projector::shift(const Bank& bank, const PlannedBlock& plan, Lanes& lanes) const {
   for (std::size_t slot = 0; slot < kSlotsPerBlock; ++slot) {
     const LaserCorrection& laser = bank.correction[slot];
@@ -146,15 +140,7 @@ void Projector::shift(const Bank& bank, const PlannedBlock& plan, Lanes& lanes) 
     const double sin_a = std::sin(azimuth);
     const double level = std::cos(laser.elevation_rad);
     const double measured = static_cast<double>(lanes.distance[slot]) * static_cast<double>(range_step_m_);
-    double ahead_m = measured + laser.distance_m;
-    double side_m = ahead_m;
-    constexpr double kFarM = 25.04;
-    if (laser.near && measured < kFarM) {
-      const double along = share(std::abs(ahead_m * level * cos_a), 1.93);
-      const double across = share(std::abs(side_m * level * sin_a), 2.40);
-      ahead_m = measured + std::lerp(laser.near->ahead_m, laser.distance_m, along);
-      side_m = measured + std::lerp(laser.near->side_m, laser.distance_m, across);
-    }
+    const auto [ahead_m, side_m] = corrected(laser, measured, measured < kFarM, level * cos_a, level * sin_a);
     const double mean_m = 0.5 * (ahead_m + side_m);
     lanes.x[slot] = static_cast<float>(ahead_m * level * cos_a + laser.left_m * sin_a);
     lanes.y[slot] = static_cast<float>(-side_m * level * sin_a + laser.left_m * cos_a);
