@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """verge convert: what both formats hold is kept, and bad requests leave everything as it was."""
 
+import signal
 import struct
+import time
 import unittest
 
-from verge_cli import CliTest, run
+from verge_cli import CliTest, run, start
 
 
 def pcd(points):
@@ -51,10 +53,55 @@ class Convert(CliTest):
         self.check_refused(self.convert("in", "out", "--to", "csv"), 5, "b.pcd")
         self.assertEqual([path.name for path in (self.folder / "out").iterdir()], ["a.csv"])
 
+    def test_nothing_is_written_over_the_input(self):
+        scan = self.write("in/scan.pcd", pcd(POINTS))
+        before = scan.read_bytes()
+        self.check_refused(self.convert("in/scan.pcd", "in/scan.pcd"), 2, "is the input itself")
+        self.check_refused(self.convert("in", "in/scan.pcd"), 2, "is a file of the input's folder")
+        self.check_refused(self.convert("in", "in", "--to", "pcd"), 6, "holds files already")
+        self.assertEqual(scan.read_bytes(), before)
+
+    def test_a_folder_with_other_files_stays_as_it_is(self):
+        self.write("scan.pcd", pcd(POINTS))
+        self.write("out/notes.txt", b"mine")
+        self.check_refused(self.convert("scan.pcd", "out", "--to", "ply"), 6, "holds files already")
+        self.assertEqual([path.name for path in (self.folder / "out").iterdir()], ["notes.txt"])
+
+    def test_a_capture_needs_a_model_and_tells_what_no_sensor_saw(self):
+        self.write("scan.pcd", pcd(POINTS))
+        self.check_refused(self.convert("scan.pcd", "drive.pcap"), 2, "--model")
+        self.assertFalse((self.folder / "drive.pcap").exists())
+        done = self.convert("scan.pcd", "drive.pcap", "--model", "hdl32e")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr.count(b"warning:"), 1, done.stderr)
+        self.assertIn(b"of 22 points are left out", done.stderr)
+
+    def test_recordings_without_a_scan_leave_the_old_output(self):
+        self.write("in/a.pcd", pcd(POINTS)[:-7])
+        for name, model in (("old.pcap", "vlp16"), ("old.idc", "lux"), ("old.alasca", "alasca_xt")):
+            old = self.write(name, b"old")
+            self.check_refused(self.convert("in", name, "--to-model", model), 4, "a.pcd")
+            self.assertEqual(old.read_bytes(), b"old")
+            self.assertEqual(self.leftovers(), [])
+
+    def test_ctrl_c_leaves_nothing_half(self):
+        drive = self.recording(3000)
+        process = start("convert", drive, self.folder / "out.mcap", "--progress", "always")
+        process.stderr.read(1)
+        time.sleep(0.2)
+        process.send_signal(signal.SIGINT)
+        errors = process.stderr.read()
+        self.assertEqual(process.wait(60), 130, errors)
+        process.stderr.close()
+        process.stdout.close()
+        self.assertEqual(self.leftovers(), [])
+        done = run("info", self.folder / "out.mcap")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_a_name_without_a_format_is_a_usage_error(self):
         self.write("scan.pcd", pcd(POINTS))
         for out in ("out", "out.xyz"):
-            self.check_refused(self.convert("scan.pcd", out), 2, "--to kitti, nuscenes, pcd, ply, csv, las, mcap")
+            self.check_refused(self.convert("scan.pcd", out), 2, "--to kitti, nuscenes, pcd, ply, csv, las, ibeo, alasca, pcap, mcap")
 
 
 if __name__ == "__main__":

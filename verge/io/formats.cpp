@@ -13,18 +13,18 @@ namespace {
 
 /// A row a format, in the order of the enum.
 constexpr std::array<FormatFacts, enum_names<Format>.size()> kFacts{{
-    {.suffix = ".bin", .written = true},      // kitti
-    {.suffix = ".pcd.bin", .written = true},  // nuscenes
-    {.suffix = ".pcd", .written = true},      // pcd
-    {.suffix = ".ply", .written = true},      // ply
-    {.suffix = ".csv", .written = true},      // csv
-    {.suffix = ".las", .written = true},      // las
-    {.suffix = ".idc", .many_scans = true},   // ibeo
-    {.suffix = ".alasca", .many_scans = true},
-    {.suffix = ".pcap", .other_suffix = ".pcapng", .many_scans = true},
+    {.suffix = ".bin", .written = true},                      // kitti
+    {.suffix = ".pcd.bin", .written = true},                  // nuscenes
+    {.suffix = ".pcd", .written = true},                      // pcd
+    {.suffix = ".ply", .written = true},                      // ply
+    {.suffix = ".csv", .written = true},                      // csv
+    {.suffix = ".las", .written = true},                      // las
+    {.suffix = ".idc", .many_scans = true, .written = true},  // ibeo
+    {.suffix = ".alasca", .many_scans = true, .written = true},
+    {.suffix = ".pcap", .other_suffix = ".pcapng", .many_scans = true, .written = true},
     {.suffix = ".bag", .many_scans = true},
     {.suffix = ".db3", .many_scans = true},
-    {.suffix = ".mcap", .many_scans = true, .written = true},  // alasca
+    {.suffix = ".mcap", .many_scans = true, .written = true},
 }};
 
 bool has_suffix(std::string_view name, std::string_view suffix) {

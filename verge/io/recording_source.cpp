@@ -51,6 +51,7 @@ Scan RecordingSource::scan_of(Decoded decoded) {
   notes_.rings(options_.log, file, organised);
   Scan scan = std::move(organised.scan);
   scan.frame = fmt::format("{:06}", next_);
+  scan.sensor = std::move(decoded.sensor);
   if (!decoded.frame_id.empty()) scan.frame_id = std::move(decoded.frame_id);
   if (decoded.stamp_ns) scan.stamp_ns = decoded.stamp_ns;
   scan.motion = decoded.motion;

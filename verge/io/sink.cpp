@@ -12,10 +12,12 @@
 
 #include "verge/core/atomic_file.hpp"
 #include "verge/io/file/csv.hpp"
+#include "verge/io/file/ibeo_sink.hpp"
 #include "verge/io/file/kitti.hpp"
 #include "verge/io/file/las.hpp"
 #include "verge/io/file/mcap_writer.hpp"
 #include "verge/io/file/nuscenes.hpp"
+#include "verge/io/file/pcap_sink.hpp"
 #include "verge/io/file/pcd.hpp"
 #include "verge/io/file/ply.hpp"
 #include "verge/io/formats.hpp"
@@ -79,9 +81,11 @@ class FolderSink final : public Sink {
   [[nodiscard]] Expected<void> make_folders() const {
     std::error_code error;
     fs::create_directories(scans_, error);
-    if (!error) return {};
-    return Unexpected(
-        {ErrorCode::kCannotWrite, scans_.string(), {}, "cannot make the folder", error.message(), {}});
+    if (error) return cannot_write("cannot make the folder", error.message());
+    const bool empty = fs::is_empty(scans_, error);
+    if (error) return cannot_write("cannot read the folder", error.message());
+    if (!empty) return cannot_write("holds files already; name a new or empty folder", {});
+    return {};
   }
 
   [[nodiscard]] Expected<void> write(const Scan& scan) override {
@@ -105,6 +109,9 @@ class FolderSink final : public Sink {
   }
 
  private:
+  [[nodiscard]] Expected<void> cannot_write(std::string what, std::string got) const {
+    return Unexpected({ErrorCode::kCannotWrite, scans_.string(), {}, std::move(what), std::move(got), {}});
+  }
   void add_time(std::optional<std::int64_t> stamp_ns) {
     constexpr std::int64_t kSecond = 1'000'000'000;
     timed_ = timed_ && stamp_ns && *stamp_ns >= 0;
@@ -166,6 +173,9 @@ Expected<std::unique_ptr<Sink>> create(const fs::path& path, const SinkOptions& 
     return Unexpected(usage_error(path, fmt::format("{} is read but not written", name_of(*format)),
                                   fmt::format("{}", fmt::join(names_that_can_be_written(), ", "))));
   }
+  if (*format == Format::kPcap) return create_pcap_sink(path, options);
+  if (*format == Format::kIbeo) return create_idc_sink(path, options);
+  if (*format == Format::kAlasca) return create_alasca_sink(path, options);
   if (*format == Format::kMcap) {
     auto writer = McapWriter::create(path);
     if (!writer) return Unexpected(std::move(writer).error());

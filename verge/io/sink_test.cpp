@@ -114,7 +114,8 @@ TEST_P(EveryColumn, WritingWhatWasReadGivesTheSameBytes) {
   EXPECT_TRUE(bytes_in(first) == bytes_in(second));
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, EveryColumn, ::testing::Values("scan.pcd", "scan.ply", "scan.csv"),
+INSTANTIATE_TEST_SUITE_P(Formats, EveryColumn,
+                         ::testing::Values("scan.pcd", "scan.ply", "scan.csv", "scan.mcap"),
                          [](const auto& instance) { return std::string(instance.param).substr(5); });
 
 TEST(Sink, NuscenesKeepsPlacesRingsAndIntensities) {
@@ -131,7 +132,7 @@ TEST(Sink, AKittiFolderKeepsTheTimesAndPosesOfItsScans) {
     scans[i].T_world_sensor = Pose{from_yaw_pitch_roll(0.3 * static_cast<double>(i), 0.02, -0.01),
                                    {1.5 * static_cast<double>(i), 2.0, 0.1}};
   }
-  write_all(folder.path() / "drive", scans, {Format::kKitti});
+  write_all(folder.path() / "drive", scans, {.format = Format::kKitti});
   const auto back = read_all(folder.path() / "drive");
   ASSERT_EQ(back.size(), 3U);
   for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -152,7 +153,7 @@ TEST(Sink, KittiPutsRingsInOrderWhereTheyAreNot) {
   Scan scan = organise(cloud).scan;
   scan.frame = "a";
   const testing::TemporaryFolder folder;
-  write_all(folder.path() / "velodyne" / "..", {scan}, {Format::kKitti});
+  write_all(folder.path() / "velodyne" / "..", {scan}, {.format = Format::kKitti});
   const auto back = read_all(folder.path());
   ASSERT_EQ(back.size(), 1U);
   EXPECT_EQ(back[0].x, scan.x);
@@ -163,7 +164,7 @@ TEST(Sink, AFolderHoldsManyScansByTheirNames) {
   const testing::TemporaryFolder folder;
   std::vector<Scan> scans{full_scan(), full_scan()};
   scans[1].frame = "000007";
-  write_all(folder.path() / "out", scans, {Format::kPcd});
+  write_all(folder.path() / "out", scans, {.format = Format::kPcd});
   const auto back = read_all(folder.path() / "out");
   ASSERT_EQ(back.size(), 2U);
   EXPECT_EQ(back[1].frame, "000007");
@@ -207,14 +208,24 @@ TEST(Sink, ANameThatSaysNoFormatIsAUsageError) {
   const auto sink = create(folder.path() / "out");
   ASSERT_FALSE(sink);
   EXPECT_EQ(sink.error().code, ErrorCode::kUsage);
-  EXPECT_NE(sink.error().need.find("kitti, nuscenes, pcd, ply, csv, las, mcap"), std::string::npos)
+  EXPECT_NE(sink.error().need.find("kitti, nuscenes, pcd, ply, csv, las, ibeo, alasca, pcap, mcap"),
+            std::string::npos)
       << sink.error().need;
+}
+
+TEST(Sink, AFolderWithOtherFilesIsRefusedAndStays) {
+  const testing::TemporaryFolder folder;
+  const fs::path other = folder.write("out/notes.txt", "mine");
+  const auto sink = create(folder.path() / "out", {.format = Format::kPcd});
+  ASSERT_FALSE(sink);
+  EXPECT_EQ(sink.error().code, ErrorCode::kCannotWrite);
+  EXPECT_EQ(bytes_in(other), "mine");
 }
 
 TEST(Sink, AFolderThatCannotBeMadeIsSaid) {
   const testing::TemporaryFolder folder;
   const fs::path file = folder.write("blocked", "");
-  const auto sink = create(file / "out", {Format::kPcd});
+  const auto sink = create(file / "out", {.format = Format::kPcd});
   ASSERT_FALSE(sink);
   EXPECT_EQ(sink.error().code, ErrorCode::kCannotWrite);
 }

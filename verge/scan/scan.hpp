@@ -33,6 +33,7 @@ struct Motion {
 struct Scan {
   std::string frame;  ///< The file's name without suffix, or a running number.
   std::string frame_id = "sensor";
+  std::string sensor;  ///< Model that measured it, as the option --model names it; empty: not known.
   std::optional<std::int64_t> stamp_ns;  ///< Time of the first point, ns since the Unix epoch.
 
   std::vector<std::uint32_t> ring_begin{0};  ///< ring_count() + 1 offsets into the columns.

@@ -37,6 +37,7 @@ Expected<std::optional<Decoded>> AlascaRecording::decode(const ibeo::Frame& fram
   add(made.counts);
   Decoded out;
   out.cloud = std::move(made.cloud);
+  out.sensor = model_.name;
   return out;
 }
 

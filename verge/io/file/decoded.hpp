@@ -21,6 +21,7 @@ struct Decoded {
   std::vector<std::string> notes;        ///< What was decided or left out, one line each.
   std::optional<Motion> motion;          ///< Of the sensor over this scan, where the file says so.
   std::optional<Pose> T_world_sensor;    ///< At stamp_ns.
+  std::string sensor;                    ///< Model, as Scan::sensor; empty where it is not known.
   std::string frame_id;                  ///< Name of the points' frame; empty where the file has none.
 };
 

@@ -98,6 +98,7 @@ Expected<std::optional<Decoded>> IbeoRecording::decode_scan(Bytes body, std::uin
   Decoded out;
   out.cloud = std::move(made.cloud);
   out.stamp_ns = made.stamp_ns;
+  out.sensor = model_.name;
   out.notes = std::exchange(health_, {});
   if (auto mounting = note_of(scan->mounting, scan->ticks_per_turn))
     out.notes.push_back(*std::move(mounting));

@@ -34,9 +34,9 @@ class McapWriter {
   McapWriter& operator=(const McapWriter&) = delete;
   ~McapWriter();
 
-  /// The next scan. One without a stamp has the stamp 0 in its header, which is none. Echo, pulse width and
-  /// flags have no place in the cloud and stay behind. Fails with kCannotWrite; also where the stamp is
-  /// beyond what ROS can say (32-bit seconds), or a ring beyond 65535.
+  /// The next scan, with all columns of its points. One without a stamp has the stamp 0 in its header, which
+  /// is none. Fails with kCannotWrite; also where the stamp is beyond what ROS can say (32-bit seconds), or a
+  /// ring beyond 65535.
   [[nodiscard]] Expected<void> add(const Scan& scan);
 
   /// Summary and end of the file, which then appears. Call once.

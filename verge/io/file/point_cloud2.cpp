@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "verge/io/file/columns.hpp"
+#include "verge/io/file/point_table.hpp"
 
 namespace verge::io {
 namespace {
@@ -156,52 +157,14 @@ Error no_cloud(std::string what, std::string got = {}, std::string need = {}) {
 }
 
 /// Fields of what we write, one right behind the other.
-class FieldList {
- public:
-  void add(std::string name, Scalar type) {
-    fields_.push_back({std::move(name), step_, datatype_of(type), 1});
-    step_ += static_cast<std::uint32_t>(size_of(type));
+std::vector<PointField> fields_of(const std::vector<TableColumn>& table) {
+  std::vector<PointField> fields;
+  std::uint32_t offset = 0;
+  for (const TableColumn& column : table) {
+    fields.push_back({std::string(column.name), offset, datatype_of(type_of(column)), 1});
+    offset += static_cast<std::uint32_t>(size_of(type_of(column)));
   }
-  [[nodiscard]] const std::vector<PointField>& fields() const { return fields_; }
-  [[nodiscard]] std::uint32_t step() const { return step_; }
-
- private:
-  std::vector<PointField> fields_;
-  std::uint32_t step_ = 0;
-};
-
-FieldList fields_of(const Scan& scan) {
-  FieldList out;
-  for (const char* name : {"x", "y", "z"}) out.add(name, Scalar::kF32);
-  if (!scan.intensity.empty()) out.add("intensity", Scalar::kF32);
-  out.add("ring", Scalar::kU16);
-  if (!scan.time_offset_ns.empty()) out.add("t", Scalar::kU32);
-  if (!scan.label.empty()) out.add("label", Scalar::kU32);
-  return out;
-}
-
-template <class T>
-void append(std::string& out, T value) {
-  std::array<char, sizeof(T)> bytes{};
-  std::memcpy(bytes.data(), &value, sizeof(T));
-  out.append(bytes.data(), bytes.size());
-}
-
-/// Points ring by ring, in the order of fields_of().
-std::string points_of(const Scan& scan, std::uint32_t point_step) {
-  std::string out;
-  out.reserve(scan.size() * point_step);
-  for (std::size_t r = 0; r < scan.ring_count(); ++r) {
-    const auto [begin, end] = scan.ring(r);
-    for (std::size_t i = begin; i < end; ++i) {
-      for (const float value : {scan.x[i], scan.y[i], scan.z[i]}) append(out, value);
-      if (!scan.intensity.empty()) append(out, scan.intensity[i]);
-      append(out, static_cast<std::uint16_t>(r));
-      if (!scan.time_offset_ns.empty()) append(out, scan.time_offset_ns[i]);
-      if (!scan.label.empty()) append(out, scan.label[i]);
-    }
-  }
-  return out;
+  return fields;
 }
 
 void write_fields(CdrWriter& writer, const std::vector<PointField>& fields) {
@@ -255,17 +218,23 @@ Expected<Decoded> decode_point_cloud2(const PointCloud2& cloud) {
 }
 
 std::string write_point_cloud2(const Scan& scan) {
-  const FieldList list = fields_of(scan);
+  const std::vector<TableColumn> table = point_table(scan, TableTime::kOffset);
+  const std::vector<PointField> fields = fields_of(table);
   const auto width = static_cast<std::uint32_t>(scan.size());
+  const std::uint32_t step =
+      fields.back().offset + static_cast<std::uint32_t>(size_of(type_of(table.back())));
+  std::string points;
+  points.reserve(std::size_t{width} * step);
+  for (std::size_t row = 0; row < width; ++row) append_bytes(table, row, points);
   CdrWriter writer;
   write_header(writer, {scan.stamp_ns.value_or(0), scan.frame_id});
   writer.number(std::uint32_t{1});
   writer.number(width);
-  write_fields(writer, list.fields());
+  write_fields(writer, fields);
   writer.number(std::uint8_t{0});
-  writer.number(list.step());
-  writer.number(list.step() * width);
-  writer.bytes(points_of(scan, list.step()));
+  writer.number(step);
+  writer.number(step * width);
+  writer.bytes(points);
   writer.number(std::uint8_t{1});
   return std::move(writer).take();
 }

@@ -48,9 +48,8 @@ struct PointCloud2 {
 /// the rings. The caller has judged `points()`. Fails with kDamaged where there is no point, or no x, y or z.
 [[nodiscard]] Expected<Decoded> decode_point_cloud2(const PointCloud2& cloud);
 
-/// The scan as a PointCloud2 in little-endian CDR: x, y, z, [intensity] float32, ring uint16 (0 = lowest), [t
-/// uint32, ns after the stamp], [label uint32], ring by ring. Reading it gives the same scan, and the same
-/// bytes again.
+/// The scan as a PointCloud2 in little-endian CDR: the columns of point_table.hpp in the input's order, times
+/// as nanoseconds after the stamp. Reading it gives the same scan, and the same bytes again.
 [[nodiscard]] std::string write_point_cloud2(const Scan& scan);
 
 }  // namespace verge::io

@@ -19,6 +19,8 @@ Error usage(const std::string& name, std::string what, std::string got, std::str
   return {ErrorCode::kUsage, name, {}, std::move(what), std::move(got), std::move(need)};
 }
 
+}  // namespace
+
 Expected<velodyne::Calibration> read_calibration_file(const std::filesystem::path& path, std::size_t lasers) {
   constexpr std::uint64_t kMost = (1ULL << 20U) + 1;  // what read_calibration() refuses
   auto file = Input::open(path, {});
@@ -28,17 +30,19 @@ Expected<velodyne::Calibration> read_calibration_file(const std::filesystem::pat
   return velodyne::read_calibration(*bytes, path.string(), lasers);
 }
 
-}  // namespace
+Expected<velodyne::Model> velodyne_model(const std::string& model, const std::string& name) {
+  const auto known = velodyne::model_named(model);
+  if (known) return *known;
+  return Unexpected(usage(name, "no such Velodyne model", model, std::string(kVelodyneModels)));
+}
 
 Expected<VelodyneScans> VelodyneScans::create(const RecordingOptions& options, const std::string& name,
                                               std::optional<velodyne::Model> seen) {
   velodyne::DecoderConfig config;
   if (options.model) {
-    config.model = velodyne::model_named(*options.model);
-    if (!config.model) {
-      return Unexpected(usage(name, "no such Velodyne model", *options.model,
-                              "hdl32e, vlp16, vlp32c, hdl64e, hdl64e-s1, -s2 or -s3"));
-    }
+    auto model = velodyne_model(*options.model, name);
+    if (!model) return Unexpected(std::move(model).error());
+    config.model = *model;
   }
   if (options.calibration) {
     const auto model = config.model ? config.model : seen;
@@ -60,6 +64,7 @@ std::optional<Decoded> VelodyneScans::decoded(std::optional<velodyne::Revolution
     out.notes.push_back(fmt::format("revolution is {:.0f} % complete", 100.0 * revolution->completeness));
   if (revolution->stalled) out.notes.emplace_back("the head stands still");
   const auto model = decoder_.model();
+  if (model) out.sensor = enum_names<velodyne::Model>[static_cast<std::size_t>(*model)];
   if (!own_angles_ && model && velodyne::facts_of(*model).banks == 2) {
     out.notes.emplace_back(
         "no calibration given: the usual angles and offsets of the model, which are off by up to 1 degree "

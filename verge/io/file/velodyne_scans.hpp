@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verge/core/bytes.hpp"
@@ -13,6 +15,16 @@
 #include "verge/sensor/velodyne/revolutions.hpp"
 
 namespace verge::io {
+
+inline constexpr std::string_view kVelodyneModels = "hdl32e, vlp16, vlp32c, hdl64e, hdl64e-s1, -s2 or -s3";
+
+/// The model with that name. Fails with kUsage; `name` stands in the error.
+[[nodiscard]] Expected<sensor::velodyne::Model> velodyne_model(const std::string& model,
+                                                               const std::string& name);
+
+/// The calibration in a file. Fails as the file does, and as read_calibration().
+[[nodiscard]] Expected<sensor::velodyne::Calibration> read_calibration_file(const std::filesystem::path& path,
+                                                                            std::size_t lasers);
 
 /// Packets of one Velodyne sensor to scans, whatever kind of recording they stand in.
 class VelodyneScans {
