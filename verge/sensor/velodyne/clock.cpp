@@ -63,7 +63,10 @@ StampClock::Reading StampClock::read(std::uint32_t stamp_us, std::int64_t receiv
     reading.jumped = again;
   } else {
     const std::int64_t expected_ns = expected(received_ns);
-    reading.time_ns = time_of_hour(stamp_us, expected_ns).time_ns;
+    // A stamp that goes on from the last one does so whatever the host's clock says meanwhile, be it set by
+    // an hour. (A pause of whole hours, to the second, would be missed.)
+    const std::int64_t going_on_ns = time_of_hour(stamp_us, last_ns_).time_ns;
+    reading.time_ns = near(going_on_ns, last_ns_) ? going_on_ns : time_of_hour(stamp_us, expected_ns).time_ns;
     const bool usable = stamp_us < kStampEndUs;
     const bool fits = usable && (near(reading.time_ns, expected_ns) || near(reading.time_ns, last_ns_));
     reading.jumped = usable && !fits && suspect_ns_ && near(reading.time_ns, *suspect_ns_);

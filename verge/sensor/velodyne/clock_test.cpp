@@ -84,6 +84,18 @@ TEST(VelodyneClock, ACaptureClockThatGoesBackAnHourMovesNothing) {  // P15
   EXPECT_EQ(reading.time_ns, kHour + 2 * kSecondNs);
 }
 
+TEST(VelodyneClock, OneRecordAnHourOffMovesNothingBehindIt) {  // P15
+  for (const std::int64_t off_ns : {-kHourNs, kHourNs, -24 * kHourNs}) {
+    StampClock clock;
+    for (int i = 0; i < 10; ++i) {
+      const std::int64_t time_ns = kHour + i * kPacketNs;
+      const auto reading = clock.read(stamp_of(time_ns), time_ns + (i == 5 ? off_ns : 0), kPacketNs);
+      EXPECT_EQ(reading.time_ns, time_ns / 1000 * 1000) << i << ", " << off_ns;
+      EXPECT_FALSE(reading.jumped);
+    }
+  }
+}
+
 TEST(VelodyneClock, GpsGivesTheHourBeforeTheFirstPacketAndDisputesItAfter) {  // N8
   StampClock clock;
   const std::int64_t host_ns = kHour - 2 * kHourNs;
