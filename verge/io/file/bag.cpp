@@ -35,18 +35,26 @@ struct Waiting {
 
 class BagRecording final : public Recording {
  public:
-  BagRecording(std::unique_ptr<Bag> bag, std::size_t topic, std::optional<VelodyneScans> velodyne)
-      : bag_(std::move(bag)), topic_(topic), velodyne_(std::move(velodyne)) {}
+  BagRecording(std::unique_ptr<Bag> bag, std::size_t topic, Log log)
+      : bag_(std::move(bag)), topic_(topic), log_(std::move(log)) {
+    static_cast<void>(kind_at(bag_->topics().size() - 1));  // says which messages are wanted
+  }
+
+  /// Where the topic has packets: reads on to the first ones, which say the model. Damage before them is told
+  /// by next(). Fails as VelodyneScans::create() does.
+  [[nodiscard]] Expected<void> begin_packets(const RecordingOptions& options);
 
   [[nodiscard]] Expected<std::optional<Decoded>> next() override;
   [[nodiscard]] std::vector<Counter> counters() const override;
 
  private:
   [[nodiscard]] MessageKind kind_at(std::size_t topic);
+  [[nodiscard]] Expected<void> read_message();
   [[nodiscard]] Expected<void> take(const Message& message);
   [[nodiscard]] Expected<void> take_cloud(const Message& message);
   [[nodiscard]] Expected<void> take_packets(const Message& message);
   [[nodiscard]] bool feed_packets();
+  void judge_packets();
   [[nodiscard]] Expected<void> take_transforms(const Message& message);
   [[nodiscard]] Expected<void> take_odometry(const Message& message);
   void add_transform(StampedTransform transform, TransformOrigin origin);
@@ -57,12 +65,17 @@ class BagRecording final : public Recording {
 
   std::unique_ptr<Bag> bag_;
   std::size_t topic_;
+  Log log_;
   std::vector<MessageKind> kinds_;  // by topic
   bool has_poses_ = false;
   bool ended_ = false;
+  bool told_ = false;                      // what there is to say at the end
   std::optional<VelodyneScans> velodyne_;  // where the topic has packets
   VelodyneScan packets_;                   // of the message at hand
   std::size_t next_packet_ = 0;
+  std::string packets_where_;                 // of the message at hand
+  std::optional<std::string> first_foreign_;  // message of the first packet of another model
+  std::deque<Error> errors_;                  // to tell before anything else is read
   Transforms transforms_;
   std::deque<Waiting> waiting_;
   std::int64_t now_ns_ = 0;
@@ -133,7 +146,20 @@ Expected<void> BagRecording::take_packets(const Message& message) {
   if (!scan) return Unexpected(std::move(scan).error());
   ++of_scans_;
   packets_ = *std::move(scan);
+  packets_where_ = message.place.where();
   next_packet_ = 0;
+  return {};
+}
+
+Expected<void> BagRecording::begin_packets(const RecordingOptions& options) {
+  while (packets_.packets.empty() && !ended_) {
+    if (auto read = read_message(); !read) errors_.push_back(std::move(read).error());
+  }
+  ModelVote models;
+  for (const VelodynePacket& packet : packets_.packets) models.add(packet.payload);
+  auto scans = VelodyneScans::create(options, bag_->name(), models.winner());
+  if (!scans) return Unexpected(std::move(scans).error());
+  velodyne_ = *std::move(scans);
   return {};
 }
 
@@ -145,6 +171,7 @@ bool BagRecording::feed_packets() {
   while (!decoded && next_packet_ < packets_.packets.size()) {
     const VelodynePacket& packet = packets_.packets[next_packet_++];
     velodyne_->add(packet.payload, packet.received_ns != 0 ? packet.received_ns : now_ns_);
+    if (!first_foreign_ && velodyne_->packets().rejected_model > 0) first_foreign_ = packets_where_;
     decoded = velodyne_->take();
   }
   if (!decoded && ended_) decoded = velodyne_->finish();
@@ -152,6 +179,17 @@ bool BagRecording::feed_packets() {
   decoded->frame_id = packets_.header.frame_id;
   add_scan(*std::move(decoded), now_ns_);
   return true;
+}
+
+/// At the end: what is wrong with the packets as a whole, and what is odd about them.
+void BagRecording::judge_packets() {
+  if (!velodyne_) return;
+  if (auto fault = velodyne_->fault()) {
+    fault->file = bag_->name();
+    fault->where = first_foreign_.value_or("");
+    errors_.push_back(*std::move(fault));
+  }
+  warn_of(velodyne_->oddities(), bag_->name(), log_);
 }
 
 void BagRecording::add_transform(StampedTransform transform, TransformOrigin origin) {
@@ -224,18 +262,29 @@ Decoded BagRecording::hand_out() {
   return decoded;
 }
 
+Expected<void> BagRecording::read_message() {
+  const auto message = bag_->next();
+  if (!message) return Unexpected(message.error());
+  if (*message) return take(**message);
+  ended_ = true;
+  return {};
+}
+
 Expected<std::optional<Decoded>> BagRecording::next() {
-  static_cast<void>(kind_at(bag_->topics().size() - 1));  // says which messages are wanted
   while (true) {
+    if (!errors_.empty()) {
+      Error error = std::move(errors_.front());
+      errors_.pop_front();
+      return Unexpected(std::move(error));
+    }
     if (is_ready()) return hand_out();
     if (feed_packets()) continue;
-    if (ended_) return std::nullopt;
-    const auto message = bag_->next();
-    if (!message) return Unexpected(message.error());
-    if (!*message) {
-      ended_ = true;
-    } else if (auto taken = take(**message); !taken) {
-      return Unexpected(std::move(taken).error());
+    if (told_) return std::nullopt;
+    if (ended_) {
+      told_ = true;
+      judge_packets();
+    } else if (auto read = read_message(); !read) {
+      return Unexpected(std::move(read).error());
     }
   }
 }
@@ -346,13 +395,11 @@ Expected<std::unique_ptr<Recording>> open_bag(std::unique_ptr<Bag> bag, const Re
   const auto& topics = bag->topics();
   const auto topic = choose(*bag, topics, topics_with_scans(topics), options.topic);
   if (!topic) return Unexpected(topic.error());
-  std::optional<VelodyneScans> velodyne;
-  if (topic_kind(topics[*topic]) == MessageKind::kVelodyneScan) {
-    auto made = VelodyneScans::create(options, bag->name());
-    if (!made) return Unexpected(std::move(made).error());
-    velodyne = *std::move(made);
-  }
-  return std::make_unique<BagRecording>(std::move(bag), *topic, std::move(velodyne));
+  const bool has_packets = topic_kind(topics[*topic]) == MessageKind::kVelodyneScan;
+  auto recording = std::make_unique<BagRecording>(std::move(bag), *topic, options.log);
+  if (!has_packets) return recording;
+  if (auto begun = recording->begin_packets(options); !begun) return Unexpected(std::move(begun).error());
+  return recording;
 }
 
 }  // namespace verge::io

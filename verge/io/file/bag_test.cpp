@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <ostream>
 #include <string>
@@ -227,16 +228,15 @@ TEST_P(Bags, OdometryOfTheSensorsFrameGivesItsPose) {
   }
 }
 
-TEST_P(Bags, PacketsOfAVelodyneGiveRevolutions) {
-  const FormatCase& format = GetParam();
-  // A VLP-16 at 10 Hz that sees a wall around it at 10 m: 76 packets a message, 7200 / 76 = 0.4 degrees a
-  // block.
+/// Four messages of 76 packets each of a VLP-16 at 10 Hz that sees a wall around it at 10 m (0.4 degrees a
+/// block); packets of whose number `product` says so are of another model.
+std::vector<TestMessage> vlp16_messages(Wire wire, const std::function<char(int)>& product) {
   std::vector<TestMessage> messages;
   int azimuth = 18000;
   std::uint32_t microseconds = 0;
   for (int m = 0; m < 4; ++m) {
     const std::int64_t begin = kBegin + m * kStep;
-    testing::WireWriter scan(format.wire);
+    testing::WireWriter scan(wire);
     scan.header(begin, "velodyne").number(std::uint32_t{76});
     for (int p = 0; p < 76; ++p) {
       std::string payload;
@@ -245,13 +245,22 @@ TEST_P(Bags, PacketsOfAVelodyneGiveRevolutions) {
         for (int i = 0; i < 32; ++i) payload += le(std::uint16_t{5000}) + "\x20";
         azimuth = (azimuth + 40) % 36000;
       }
-      payload += le(microseconds) + "\x37\x22";
+      payload += le(microseconds) + "\x37" + product(76 * m + p);
       scan.number(static_cast<std::uint32_t>(begin / 1'000'000'000));
       scan.number(static_cast<std::uint32_t>(begin % 1'000'000'000 + p * 1'327'000)).raw(payload);
       microseconds += 1327;
     }
     messages.push_back({"/velodyne_packets", "velodyne_msgs/msg/VelodyneScan", begin + kStep, scan.bytes()});
   }
+  return messages;
+}
+
+constexpr char kVlp16 = '\x22';
+constexpr char kHdl32e = '\x21';
+
+TEST_P(Bags, PacketsOfAVelodyneGiveRevolutions) {
+  const FormatCase& format = GetParam();
+  const auto messages = vlp16_messages(format.wire, [](int) { return kVlp16; });
   const Outcome got = read_through(format.open(Input::of(bytes_of(format.make(messages)), "a.bag"), {}));
   ASSERT_EQ(got.errors.size(), 0U) << to_string(got.errors.front());
   ASSERT_GE(got.scans.size(), 4U);
@@ -269,6 +278,49 @@ TEST_P(Bags, PacketsOfAVelodyneGiveRevolutions) {
   const auto wrong = format.open(Input::of(bytes_of(format.make(messages)), "a.bag"), {.model = "lux"});
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().code, ErrorCode::kUsage);
+}
+
+TEST_P(Bags, ACalibrationIsOfTheModelThatTheFirstMessageShows) {
+  const FormatCase& format = GetParam();
+  const testing::TemporaryFolder folder;
+  std::string text = "lasers:\n";
+  for (int i = 0; i < 16; ++i) {
+    text += "- {laser_id: " + std::to_string(i) + ", vert_correction: " + std::to_string(0.01 * i) +
+            ", dist_correction: 1.0}\n";
+  }
+  // The very first packet is damaged.
+  const auto messages =
+      vlp16_messages(format.wire, [](int packet) { return packet == 0 ? kHdl32e : kVlp16; });
+  const std::string bytes = format.make(messages);
+  RecordingOptions options;
+  options.calibration = folder.write("16.yaml", text);
+  const Outcome got = read_through(format.open(Input::of(bytes_of(bytes), "a.bag"), options));
+  ASSERT_GE(got.scans.size(), 4U);
+  const auto& cloud = got.scans[0].cloud;
+  EXPECT_NEAR(std::hypot(cloud.x[0], cloud.y[0], cloud.z[0]), 11.0, 1e-3);
+  options.calibration = folder.write("15.yaml", text.substr(0, text.rfind("- {")));
+  const auto wrong = format.open(Input::of(bytes_of(bytes), "a.bag"), options);
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().code, ErrorCode::kUsage);
+  EXPECT_THAT(to_string(wrong.error()), HasSubstr("got 15 lasers, need 16 lasers"));
+}
+
+TEST_P(Bags, PacketsOfAnotherModelAreDamage) {
+  const FormatCase& format = GetParam();
+  const auto read = [&](const std::function<char(int)>& product) {
+    const std::string bytes = format.make(vlp16_messages(format.wire, product));
+    return read_through(format.open(Input::of(bytes_of(bytes), "a.bag"), {}));
+  };
+  const Outcome some = read([](int packet) { return packet >= 150 && packet < 160 ? kHdl32e : kVlp16; });
+  ASSERT_EQ(some.errors.size(), 1U);
+  EXPECT_EQ(some.errors[0].code, ErrorCode::kDamaged);
+  EXPECT_THAT(to_string(some.errors[0]), HasSubstr("left out (got 10 of 304 packets, need vlp16)"));
+  EXPECT_FALSE(some.errors[0].where.empty());
+  EXPECT_GE(some.scans.size(), 4U);
+  const Outcome none = read([](int) { return '\x7F'; });
+  ASSERT_EQ(none.errors.size(), 1U);
+  EXPECT_EQ(none.errors[0].code, ErrorCode::kUnusable);
+  EXPECT_THAT(to_string(none.errors[0]), HasSubstr("304 of 304 packets are of another model"));
 }
 
 TEST_P(Bags, ScansWithoutPosesDoNotWaitForThemForEver) {

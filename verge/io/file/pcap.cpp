@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -41,35 +40,31 @@ struct RecordCounters {
 
 /// What a look through the capture's begin has shown.
 struct Survey {
-  std::set<IpAddress> sensors;
+  std::map<IpAddress, ModelVote> sensors;
   std::map<std::uint16_t, std::uint64_t> ports;
   std::optional<std::uint64_t> cut_to;  ///< Length to which the first cut frame was cut.
-  bool whole = false;                   ///< The end was reached.
 };
 
 Survey look_through(Capture& capture) {
   Survey survey;
   DatagramReader reader(capture.link_type());
   Datagram datagram;
-  for (std::uint64_t i = 0; i < kLookedThrough; ++i) {
+  for (std::uint64_t i = 0; i < kLookedThrough || survey.sensors.empty(); ++i) {
     const auto frame = capture.next();
-    if (!frame || !*frame) {
-      survey.whole = true;
-      break;
-    }
+    if (!frame || !*frame) break;
     const FrameKind kind = reader.read((*frame)->bytes, datagram);
     if (kind == FrameKind::kCut && !survey.cut_to) survey.cut_to = (*frame)->bytes.size();
     if (kind != FrameKind::kUdp) continue;
     ++survey.ports[datagram.port];
     const bool data = datagram.port == kDataPort && datagram.payload.size() == velodyne::kDataBytes;
-    if (data) survey.sensors.insert(datagram.source);
+    if (data) survey.sensors[datagram.source].add(datagram.payload);
   }
   return survey;
 }
 
-std::string list_of(const std::set<IpAddress>& sensors) {
+std::string list_of(const Survey& survey) {
   std::string list;
-  for (const IpAddress& sensor : sensors) list += (list.empty() ? "" : ", ") + to_string(sensor);
+  for (const auto& [sensor, models] : survey.sensors) list += (list.empty() ? "" : ", ") + to_string(sensor);
   return list;
 }
 
@@ -87,42 +82,29 @@ Error nothing_in(const Input& input, const Survey& survey) {
   return input.error_at(ErrorCode::kUnusable, 0, std::move(what));
 }
 
+using Sensor = std::pair<const IpAddress, ModelVote>;
+
 /// The one sensor to read; an Error where there is none, or a choice.
-Expected<std::optional<IpAddress>> choose(const Input& input, const Survey& survey,
-                                          const RecordingOptions& options) {
+Expected<Sensor> choose(const Input& input, const Survey& survey, const RecordingOptions& options) {
   const auto usage = [&](std::string what) {
-    return Unexpected(input.error_at(ErrorCode::kUsage, 0, std::move(what), list_of(survey.sensors)));
+    return Unexpected(input.error_at(ErrorCode::kUsage, 0, std::move(what), list_of(survey)));
   };
-  if (survey.sensors.empty() && survey.whole) return Unexpected(nothing_in(input, survey));
+  const auto& sensors = survey.sensors;
+  if (sensors.empty()) return Unexpected(nothing_in(input, survey));
   if (options.sensor_ip) {
-    const auto chosen =
-        std::find_if(survey.sensors.begin(), survey.sensors.end(),
-                     [&](const IpAddress& sensor) { return to_string(sensor) == *options.sensor_ip; });
-    if (chosen == survey.sensors.end()) return usage(fmt::format("no sensor {} sends", *options.sensor_ip));
+    const auto chosen = std::find_if(sensors.begin(), sensors.end(), [&](const Sensor& sensor) {
+      return to_string(sensor.first) == *options.sensor_ip;
+    });
+    if (chosen == sensors.end()) return usage(fmt::format("no sensor {} sends", *options.sensor_ip));
     return *chosen;
   }
-  if (survey.sensors.size() > 1) return usage("several sensors: choose --sensor-ip");
-  if (survey.sensors.empty()) return std::nullopt;
-  return *survey.sensors.begin();
-}
-
-/// The first data packet's model, for a calibration that has to be of it.
-std::optional<velodyne::Model> first_model(Capture& capture, const std::optional<IpAddress>& sensor) {
-  DatagramReader reader(capture.link_type());
-  Datagram datagram;
-  while (true) {
-    const auto frame = capture.next();
-    if (!frame || !*frame) return std::nullopt;
-    if (reader.read((*frame)->bytes, datagram) != FrameKind::kUdp) continue;
-    const bool data = datagram.port == kDataPort && datagram.payload.size() == velodyne::kDataBytes;
-    if (!data || (sensor && datagram.source != *sensor)) continue;
-    if (const auto model = velodyne::model_of(datagram.payload)) return model;
-  }
+  if (sensors.size() > 1) return usage("several sensors: choose --sensor-ip");
+  return *sensors.begin();
 }
 
 class PcapRecording final : public Recording {
  public:
-  PcapRecording(Capture capture, std::optional<IpAddress> sensor, VelodyneScans scans, Log log)
+  PcapRecording(Capture capture, const IpAddress& sensor, VelodyneScans scans, Log log)
       : capture_(std::move(capture)),
         reader_(capture_.link_type()),
         sensor_(sensor),
@@ -135,13 +117,13 @@ class PcapRecording final : public Recording {
  private:
   [[nodiscard]] bool read_frame();
   void take_frame(const CapturedFrame& frame);
-  void take_datagram(const Datagram& datagram, std::int64_t time_ns);
+  void take_datagram(const Datagram& datagram, const CapturedFrame& frame);
   void judge_end();
   void tell_oddities() const;
 
   Capture capture_;
   DatagramReader reader_;
-  std::optional<IpAddress> sensor_;
+  IpAddress sensor_;
   VelodyneScans scans_;
   Log log_;
   RecordCounters records_;
@@ -150,7 +132,8 @@ class PcapRecording final : public Recording {
   std::int64_t last_time_ns_ = 0;
   bool ended_ = false;
   bool second_sensor_told_ = false;
-  std::vector<Error> errors_;  // to tell at the end
+  std::optional<std::uint64_t> first_foreign_;  // record of the first packet of another model
+  std::vector<Error> errors_;                   // to tell at the end
 };
 
 /// Reads one frame on; false at the end of the capture.
@@ -175,7 +158,7 @@ void PcapRecording::take_frame(const CapturedFrame& frame) {
   Datagram datagram;
   switch (reader_.read(frame.bytes, datagram)) {
     case FrameKind::kUdp:
-      take_datagram(datagram, frame.time_ns);
+      take_datagram(datagram, frame);
       break;
     case FrameKind::kFragment:
       ++records_.fragments;
@@ -192,15 +175,14 @@ void PcapRecording::take_frame(const CapturedFrame& frame) {
   }
 }
 
-void PcapRecording::take_datagram(const Datagram& datagram, std::int64_t time_ns) {
+void PcapRecording::take_datagram(const Datagram& datagram, const CapturedFrame& frame) {
   const bool data = datagram.port == kDataPort;
   if (!data && datagram.port != kPositionPort) {
     ++records_.other_port;
     return;
   }
   const bool whole = data && datagram.payload.size() == velodyne::kDataBytes;
-  if (!sensor_ && whole) sensor_ = datagram.source;
-  if (sensor_ && datagram.source != *sensor_) {
+  if (datagram.source != sensor_) {
     ++records_.other_sensor;
     if (!whole || second_sensor_told_) return;
     second_sensor_told_ = true;
@@ -208,7 +190,8 @@ void PcapRecording::take_datagram(const Datagram& datagram, std::int64_t time_ns
     return;
   }
   ++records_.from_sensor;
-  scans_.add(datagram.payload, time_ns);
+  scans_.add(datagram.payload, frame.time_ns);
+  if (!first_foreign_ && scans_.packets().rejected_model > 0) first_foreign_ = frame.offset;
 }
 
 /// What is wrong with the recording as a whole.
@@ -218,24 +201,22 @@ void PcapRecording::judge_end() {
     errors_.push_back(input.error_at(ErrorCode::kDamaged, input.size(), "fragments of datagrams are missing",
                                      fmt::format("{} datagrams", reader_.incomplete()), "0"));
   }
-  const velodyne::Counters& counters = scans_.packets();
-  if (counters.data == 0) {
-    const std::string got =
-        fmt::format("{} of {} packets are of another model", counters.rejected_model, counters.packets);
-    errors_.insert(errors_.begin(),
-                   input.error_at(ErrorCode::kUnusable, 0, "no data packet can be decoded", got));
+  if (auto fault = scans_.fault()) {
+    errors_.insert(errors_.begin(), input.error_at(fault->code, first_foreign_.value_or(0), fault->what,
+                                                   fault->got, fault->need));
   }
 }
 
 /// What moved nothing and is still worth a look.
 void PcapRecording::tell_oddities() const {
-  const auto tell = [&](std::uint64_t count, std::string_view what) {
-    if (count > 0) warn(log_, fmt::format("{}: {} {}", capture_.input().name(), count, what));
-  };
-  tell(reader_.odd_lengths(), "datagrams are shorter than their IP packets say");
-  tell(reader_.bad_checksums(), "datagrams have a wrong checksum");
-  tell(odd_times_, "records have a fraction of a second that is more than a second");
-  tell(backward_times_, "records are older than those before them");
+  std::vector<std::string> oddities;
+  add_oddity(oddities, records_.cut, "records are cut short");
+  add_oddity(oddities, reader_.odd_lengths(), "datagrams are shorter than their IP packets say");
+  add_oddity(oddities, reader_.bad_checksums(), "datagrams have a wrong checksum");
+  add_oddity(oddities, odd_times_, "records have a fraction of a second that is more than a second");
+  add_oddity(oddities, backward_times_, "records are older than those before them");
+  for (std::string& oddity : scans_.oddities()) oddities.push_back(std::move(oddity));
+  warn_of(oddities, capture_.input().name(), log_);
 }
 
 Expected<std::optional<Decoded>> PcapRecording::next() {
@@ -277,12 +258,9 @@ Expected<std::unique_ptr<Recording>> open_pcap(Input input, const RecordingOptio
   if (!sensor) return Unexpected(sensor.error());
   capture = Capture::reopen(*std::move(capture));
   if (!capture) return Unexpected(capture.error());
-  const auto seen = options.calibration ? first_model(*capture, *sensor) : std::nullopt;
-  auto scans = VelodyneScans::create(options, capture->input().name(), seen);
+  auto scans = VelodyneScans::create(options, capture->input().name(), sensor->second.winner());
   if (!scans) return Unexpected(std::move(scans).error());
-  capture = Capture::reopen(*std::move(capture));
-  if (!capture) return Unexpected(capture.error());
-  return std::make_unique<PcapRecording>(*std::move(capture), *sensor, *std::move(scans), options.log);
+  return std::make_unique<PcapRecording>(*std::move(capture), sensor->first, *std::move(scans), options.log);
 }
 
 }  // namespace verge::io

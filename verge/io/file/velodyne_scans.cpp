@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/file/velodyne_scans.hpp"
 
+#include <algorithm>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "verge/io/input.hpp"
 #include "verge/sensor/velodyne/calibration.hpp"
@@ -36,18 +37,31 @@ Expected<velodyne::Model> velodyne_model(const std::string& model, const std::st
   return Unexpected(usage(name, "no such Velodyne model", model, std::string(kVelodyneModels)));
 }
 
+void ModelVote::add(Bytes payload) {
+  if (payload.size() != velodyne::kDataBytes) return;
+  if (const auto model = velodyne::model_of(payload)) ++packets_[*model];
+}
+
+std::optional<velodyne::Model> ModelVote::winner() const {
+  const auto most = std::max_element(packets_.begin(), packets_.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == packets_.end()) return std::nullopt;
+  return most->first;
+}
+
 Expected<VelodyneScans> VelodyneScans::create(const RecordingOptions& options, const std::string& name,
                                               std::optional<velodyne::Model> seen) {
   velodyne::DecoderConfig config;
+  config.model = seen;
   if (options.model) {
     auto model = velodyne_model(*options.model, name);
     if (!model) return Unexpected(std::move(model).error());
     config.model = *model;
   }
   if (options.calibration) {
-    const auto model = config.model ? config.model : seen;
-    if (!model) return Unexpected(usage(name, "a calibration needs its model, choose --model", {}, {}));
-    auto calibration = read_calibration_file(*options.calibration, velodyne::facts_of(*model).lasers);
+    if (!config.model)
+      return Unexpected(usage(name, "a calibration needs its model, choose --model", {}, {}));
+    auto calibration = read_calibration_file(*options.calibration, velodyne::facts_of(*config.model).lasers);
     if (!calibration) return Unexpected(std::move(calibration).error());
     config.calibration = *std::move(calibration);
   }
@@ -97,7 +111,59 @@ std::vector<Counter> VelodyneScans::counters() const {
           {"measurements without return", p.no_return},
           {"measurements too near", p.below_min},
           {"measurements too far", p.above_max},
-          {"measurements of the same echo", p.same_echo}};
+          {"measurements of the same echo", p.same_echo},
+          {"stamps received", c.stamps},
+          {"stamps used", c.stamps - c.stamps_estimated},
+          {"stamps estimated", c.stamps_estimated},
+          {"sentences received", c.positions},
+          {"sentences used", c.nmea_used},
+          {"sentences of a receiver that guesses", c.nmea_unlocked},
+          {"sentences that are not there", c.nmea_absent},
+          {"sentences without a time", c.nmea_ignored},
+          {"sentences 1024 weeks old", c.nmea_rolled_over}};
+}
+
+std::optional<Error> VelodyneScans::fault() const {
+  const velodyne::Counters& c = decoder_.counters();
+  const std::string share = fmt::format("{} of {} packets", c.rejected_model, c.packets);
+  if (c.packets == 0) return std::nullopt;
+  if (c.data == 0) {
+    return Error{
+        ErrorCode::kUnusable, {}, {}, "no data packet can be decoded", share + " are of another model", {}};
+  }
+  if (c.rejected_model == 0) return std::nullopt;
+  const auto model = static_cast<std::size_t>(*decoder_.model());
+  return Error{ErrorCode::kDamaged,
+               {},
+               {},
+               "packets of another model are left out",
+               share,
+               std::string(enum_names<velodyne::Model>[model])};
+}
+
+std::vector<std::string> VelodyneScans::oddities() const {
+  const velodyne::Counters& c = decoder_.counters();
+  std::vector<std::string> all;
+  add_oddity(all, c.rejected_size, "packets are neither 1206 nor 512 bytes long");
+  add_oddity(all, c.late, "packets came too late to be used");
+  add_oddity(all, c.rejected_flag, "blocks have a flag that the model does not have");
+  add_oddity(all, c.rejected_azimuth, "blocks lie beyond 360 degrees");
+  add_oddity(all, c.rejected_turn, "blocks are out of turn");
+  add_oddity(all, c.stalled, "scans ended by time: the head stands still");
+  add_oddity(all, c.stamps_estimated, "stamps are of no use and were estimated");
+  add_oddity(all, c.clock_jumps, "times the sensor's clock was set");
+  add_oddity(all, c.hour_ambiguous, "stamps are half an hour off the host's clock: the hour may be wrong");
+  add_oddity(all, c.hour_disputed, "GPS sentences say another hour than the one in use");
+  add_oddity(all, c.nmea_rolled_over, "GPS sentences are 1024 weeks old: the receiver's counter rolled over");
+  return all;
+}
+
+void add_oddity(std::vector<std::string>& all, std::uint64_t count, std::string_view what) {
+  if (count > 0) all.push_back(fmt::format("{} {}", count, what));
+}
+
+void warn_of(const std::vector<std::string>& oddities, const std::string& file, const Log& log) {
+  if (!oddities.empty()) warn(log, fmt::format("{}: {}", file, fmt::join(oddities, "; ")));
 }
 
 }  // namespace verge::io

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::int64_t kLongestRevolutionNs = 1'250'000'000;
 constexpr std::size_t kStampAt = 1200;
+/// 2006-01-01: no sensor of these was there to hear an earlier date.
+constexpr std::int64_t kFirstSensorNs = 1'136'073'600'000'000'000;
 
 std::int32_t cut_of(double azimuth_rad) {
   if (!std::isfinite(azimuth_rad)) throw std::invalid_argument("the azimuth of the cut must be finite");
@@ -88,11 +90,18 @@ void RevolutionDecoder::add_position(Bytes payload, std::int64_t received_ns) {
   ++counters_.positions;
   position_ = parse_position(payload);
   const NmeaReading& nmea = position_->nmea;
-  if (nmea.fault != NmeaFault::kNone) {
+  if (nmea.fault == NmeaFault::kNoSentence) {
+    ++counters_.nmea_absent;
+  } else if (nmea.fault != NmeaFault::kNone) {
     ++counters_.nmea_ignored;
   } else if (week_rolled_over(nmea.utc_ns, received_ns)) {
     ++counters_.nmea_rolled_over;
-  } else if (nmea.locked) {
+  } else if (nmea.utc_ns < kFirstSensorNs) {
+    ++counters_.nmea_ignored;
+  } else if (!nmea.locked) {
+    ++counters_.nmea_unlocked;
+  } else {
+    ++counters_.nmea_used;
     clock_.set_reference(nmea.utc_ns, received_ns);
     if (clock_.hour_disputed()) ++counters_.hour_disputed;
   }
@@ -131,6 +140,7 @@ std::int64_t RevolutionDecoder::time_of(Bytes payload, std::int64_t received_ns)
   const StampClock::Reading reading =
       facts_->has_clock ? clock_.read(load_le<std::uint32_t>(payload, kStampAt), received_ns, packet_ns)
                         : clock_.read_received(received_ns, packet_ns);
+  ++counters_.stamps;
   if (reading.estimated) ++counters_.stamps_estimated;
   if (reading.ambiguous) ++counters_.hour_ambiguous;
   if (reading.jumped) {
@@ -228,6 +238,7 @@ void RevolutionDecoder::end_revolution(bool stalled) {
     current_.stamp_ns = current_begin_ns_ + std::llround(1e9 * first_s);
   }
   current_.stalled = stalled;
+  if (stalled) ++counters_.stalled;
   finished_.push_back(std::move(current_));
   current_ = {};
 }

@@ -44,7 +44,8 @@ struct Revolution {
 };
 
 /// What became of everything that was added. packets = data + positions + all rejected_*, duplicates and
-/// late; blocks = those used + rejected; PointCounters likewise.
+/// late; blocks = those used + rejected; positions = all nmea_*; stamps = those used + stamps_estimated;
+/// PointCounters likewise.
 struct Counters {
   std::uint64_t packets = 0;
   std::uint64_t data = 0;            ///< Data packets used.
@@ -62,13 +63,20 @@ struct Counters {
 
   PointCounters points;
 
-  // Flags, not part of a sum.
+  std::uint64_t stamps = 0;            ///< Of the data packets used and those late.
   std::uint64_t stamps_estimated = 0;  ///< Stamp of no use; the packet's time is what was expected.
-  std::uint64_t clock_jumps = 0;       ///< The sensor's clock was set.
-  std::uint64_t hour_ambiguous = 0;    ///< Host clock half an hour off: the hour may be wrong.
-  std::uint64_t hour_disputed = 0;     ///< GPS later said another hour.
+
+  std::uint64_t nmea_used = 0;         ///< Sentences whose time may decide the hour.
+  std::uint64_t nmea_unlocked = 0;     ///< Of a receiver that only guesses.
+  std::uint64_t nmea_absent = 0;       ///< Position packets without a sentence.
   std::uint64_t nmea_ignored = 0;      ///< Sentences without a usable time.
   std::uint64_t nmea_rolled_over = 0;  ///< Receiver's date is 1024 weeks old.
+
+  // Flags, not part of a sum.
+  std::uint64_t clock_jumps = 0;     ///< The sensor's clock was set.
+  std::uint64_t hour_ambiguous = 0;  ///< Host clock half an hour off: the hour may be wrong.
+  std::uint64_t hour_disputed = 0;   ///< GPS later said another hour.
+  std::uint64_t stalled = 0;         ///< Revolutions that ended by time: the head stands.
 };
 
 /// Packets of one Velodyne sensor in, revolutions out: the one decoder of all models.

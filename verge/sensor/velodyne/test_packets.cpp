@@ -68,6 +68,8 @@ bool adds_up(const Counters& c) {
   return c.packets == c.data + c.positions + c.rejected_size + c.rejected_model + c.duplicates + c.late &&
          c.blocks == kBlocksPerPacket * c.data &&
          c.blocks == c.blocks_used + c.rejected_flag + c.rejected_azimuth + c.rejected_turn &&
+         c.positions == c.nmea_used + c.nmea_unlocked + c.nmea_absent + c.nmea_ignored + c.nmea_rolled_over &&
+         c.stamps == c.data + c.late && c.stamps_estimated <= c.stamps &&
          p.measured == kSlotsPerBlock * c.blocks_used &&
          p.measured == p.used + p.no_return + p.below_min + p.above_max + p.same_echo;
 }
