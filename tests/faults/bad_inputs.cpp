@@ -23,6 +23,13 @@ std::function<fs::path(const fs::path&)> file(std::string name, std::string byte
   };
 }
 
+std::function<fs::path(const fs::path&)> file(std::string name, std::function<std::string()> bytes) {
+  return [name = std::move(name), bytes = std::move(bytes)](const fs::path& folder) {
+    write(folder / name, bytes());
+    return folder / name;
+  };
+}
+
 std::function<fs::path(const fs::path&)> folder(std::string name,
                                                 std::vector<std::pair<std::string, std::string>> files) {
   return [name = std::move(name), files = std::move(files)](const fs::path& in) {
@@ -40,8 +47,9 @@ void Section::add(int number, BadInput input) {
 
 std::vector<BadInput> bad_inputs() {
   std::vector<BadInput> all;
-  for (auto* section : {&bad_inputs_any, &bad_inputs_bin, &bad_inputs_pcd, &bad_inputs_ply, &bad_inputs_csv,
-                        &bad_inputs_ibeo, &bad_inputs_las, &bad_inputs_ros}) {
+  for (auto* section :
+       {&bad_inputs_any, &bad_inputs_bin, &bad_inputs_pcd, &bad_inputs_ply, &bad_inputs_csv, &bad_inputs_ibeo,
+        &bad_inputs_las, &bad_inputs_ros, &bad_inputs_pcap, &bad_inputs_velodyne, &bad_inputs_position}) {
     for (BadInput& input : section()) all.push_back(std::move(input));
   }
   return all;

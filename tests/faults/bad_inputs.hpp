@@ -12,8 +12,9 @@
 #include <vector>
 
 // The catalogue of bad inputs: sections G (any file), K (KITTI, nuScenes), C (PCD), Y (PLY), S (CSV),
-// L (ibeo), A (LAS) and R (recordings of ROS) of the contract that docs/reliability.md states. Each is
-// generated, and each says how the program has to end.
+// L (ibeo), A (LAS), R (recordings of ROS), P (pcap, pcapng), V (data packets of an HDL-32E) and N (its
+// position packets) of the contract that docs/reliability.md states. Each is generated, and each says how the
+// program has to end.
 
 namespace verge::faults {
 
@@ -44,6 +45,15 @@ struct BadInput {
   bool as_user = false;                  ///< Proves nothing to a superuser: run it as somebody else.
   std::size_t errors = 1;                ///< How many there are (at kDamaged).
   std::map<std::string, std::uint64_t> counted{};  ///< Of the recording's counters, some.
+
+  // Of recordings.
+  std::string sensor_ip{};             ///< --sensor-ip; empty: none.
+  std::string model{};                 ///< --model; empty: none.
+  std::string calibration{};           ///< --calibration: a file that make() makes beside the input.
+  std::optional<std::size_t> scans{};  ///< Scans that have to come out.
+  std::string warns{};                 ///< Has to stand in a warning's line.
+  /// Another input, of which the very same scans have to come.
+  std::function<std::filesystem::path(const std::filesystem::path& folder)> same_as{};
 };
 
 /// The inputs of one section, whose codes get a letter for each variant.
@@ -63,6 +73,9 @@ class Section {
 /// A file of these bytes.
 [[nodiscard]] std::function<std::filesystem::path(const std::filesystem::path&)> file(std::string name,
                                                                                       std::string bytes);
+/// A file of the bytes that are made when it is: captures are large.
+[[nodiscard]] std::function<std::filesystem::path(const std::filesystem::path&)> file(
+    std::string name, std::function<std::string()> bytes);
 /// A folder of these files.
 [[nodiscard]] std::function<std::filesystem::path(const std::filesystem::path&)> folder(
     std::string name, std::vector<std::pair<std::string, std::string>> files);
@@ -77,6 +90,9 @@ void write(const std::filesystem::path& path, const std::string& bytes);
 [[nodiscard]] std::vector<BadInput> bad_inputs_ibeo();
 [[nodiscard]] std::vector<BadInput> bad_inputs_las();
 [[nodiscard]] std::vector<BadInput> bad_inputs_ros();
+[[nodiscard]] std::vector<BadInput> bad_inputs_pcap();
+[[nodiscard]] std::vector<BadInput> bad_inputs_velodyne();
+[[nodiscard]] std::vector<BadInput> bad_inputs_position();
 
 /// All of them.
 [[nodiscard]] std::vector<BadInput> bad_inputs();

@@ -56,6 +56,8 @@ struct Outcome {
   std::size_t scans = 0;
   std::size_t used = 0;
   std::size_t dropped = 0;
+  std::string warnings;
+  std::vector<Scan> kept;
   std::vector<io::Counter> counters;
 
   [[nodiscard]] std::uint64_t count(const std::string& name) const {
@@ -71,10 +73,14 @@ struct Outcome {
   }
 };
 
-Outcome read_all(const fs::path& path, const io::OpenOptions& options) {
+/// Reads the input to its end; the scans are kept where somebody wants to `keep` them.
+Outcome read_all(const fs::path& path, const io::OpenOptions& options, bool keep) {
   Outcome outcome;
   io::OpenOptions listening = options;
-  listening.log = [&](LogLevel, std::string_view text) { outcome.notes.append(text).append("\n"); };
+  listening.log = [&](LogLevel level, std::string_view text) {
+    outcome.notes.append(text).append("\n");
+    if (level == LogLevel::kWarning) outcome.warnings.append(text).append("\n");
+  };
   const auto source = io::open(path, listening);
   if (!source) {
     outcome.errors.push_back(source.error());
@@ -90,9 +96,29 @@ Outcome read_all(const fs::path& path, const io::OpenOptions& options) {
     ++outcome.scans;
     outcome.used += (*scan)->size();
     outcome.dropped += (*scan)->dropped;
+    if (keep) outcome.kept.push_back(**scan);
   }
   outcome.counters = (*source)->counters();
   return outcome;
+}
+
+io::OpenOptions options_of(const BadInput& bad, const fs::path& path) {
+  io::OpenOptions options{.timeout_ms = 50};
+  if (!bad.format.empty()) options.format = format_named(bad.format);
+  if (bad.memory_mib > 0) options.memory_max_bytes = std::uint64_t{bad.memory_mib} << 20U;
+  if (!bad.sensor_ip.empty()) options.sensor_ip = bad.sensor_ip;
+  if (!bad.model.empty()) options.model = bad.model;
+  if (!bad.calibration.empty()) options.calibration = path.parent_path() / bad.calibration;
+  return options;
+}
+
+void expect_same_scans(const std::vector<Scan>& a, const std::vector<Scan>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].stamp_ns, b[i].stamp_ns) << i;
+    EXPECT_TRUE(a[i].x == b[i].x && a[i].y == b[i].y && a[i].z == b[i].z) << i;
+    EXPECT_TRUE(a[i].intensity == b[i].intensity) << i;
+  }
 }
 
 /// Bytes of the file, or of all files of the folder; what is no file has none.
@@ -151,12 +177,10 @@ TEST_P(Catalogue, EndsAsTheContractSays) {
   const fs::path path = bad.make(folder_);
   const PlainUser user(bad.as_user);
   if (!user.is_there()) GTEST_SKIP() << "cannot become a user without privileges";
-  io::OpenOptions options{.timeout_ms = 50};
-  if (!bad.format.empty()) options.format = format_named(bad.format);
-  if (bad.memory_mib > 0) options.memory_max_bytes = std::uint64_t{bad.memory_mib} << 20U;
+  const io::OpenOptions options = options_of(bad, path);
 
   const MemoryMeter meter;
-  const Outcome outcome = read_all(path, options);
+  const Outcome outcome = read_all(path, options, static_cast<bool>(bad.same_as));
   const std::size_t peak = meter.peak();
 
   EXPECT_EQ(outcome.exit(), bad.exit)
@@ -175,11 +199,19 @@ TEST_P(Catalogue, EndsAsTheContractSays) {
   if (bad.dropped) {
     EXPECT_EQ(outcome.dropped, *bad.dropped);
   }
+  if (bad.scans) {
+    EXPECT_EQ(outcome.scans, *bad.scans);
+  }
+  EXPECT_THAT(outcome.warnings, HasSubstr(bad.warns));
   if (bad.exit == kDamaged) {
     EXPECT_EQ(outcome.errors.size(), bad.errors);
   }
   EXPECT_TRUE(add_up(outcome.counters));
   for (const auto& [name, count] : bad.counted) EXPECT_EQ(outcome.count(name), count) << name;
+  if (bad.same_as) {
+    fs::create_directory(folder_ / "same");
+    expect_same_scans(outcome.kept, read_all(bad.same_as(folder_ / "same"), options, true).kept);
+  }
   // The contract's bound: 16 MiB + 64 x what is there, and the ceiling.
   const std::size_t bound =
       bad.memory_mib > 0 ? bad.memory_mib << 20U : (16U << 20U) + 64 * bytes_below(path);
@@ -194,7 +226,8 @@ TEST(CatalogueItself, HasEveryCodeOfItsSectionsAndNoneTwice) {
     EXPECT_TRUE(codes.insert(input.code).second) << input.code << " stands twice";
   }
   const std::vector<std::pair<char, int>> sections{{'G', 16}, {'K', 7},  {'C', 16}, {'Y', 10},
-                                                   {'S', 9},  {'L', 22}, {'A', 13}, {'R', 10}};
+                                                   {'S', 9},  {'L', 22}, {'A', 13}, {'R', 10},
+                                                   {'P', 21}, {'V', 20}, {'N', 10}};
   const std::set<std::string> elsewhere{"G09", "G10", "G15",  // verge/io/input_test.cpp
                                         "L16"};               // live connections: not in a file
   for (const auto& [section, count] : sections) {

@@ -75,6 +75,8 @@ std::string frame_of(const std::string& ip, std::uint32_t link_type, int tags) {
       return type + std::string(18, '\0') + ip;
     case 0:
       return u32(2, false) + ip;
+    case 108:
+      return u32(2, true) + ip;
     default:
       return ip;
   }
