@@ -90,13 +90,12 @@ void RevolutionDecoder::add_position(Bytes payload, std::int64_t received_ns) {
   ++counters_.positions;
   position_ = parse_position(payload);
   const NmeaReading& nmea = position_->nmea;
+  const bool rolled_over = nmea.fault == NmeaFault::kNone && week_rolled_over(nmea.utc_ns, received_ns);
   if (nmea.fault == NmeaFault::kNoSentence) {
     ++counters_.nmea_absent;
-  } else if (nmea.fault != NmeaFault::kNone) {
-    ++counters_.nmea_ignored;
-  } else if (week_rolled_over(nmea.utc_ns, received_ns)) {
+  } else if (rolled_over) {
     ++counters_.nmea_rolled_over;
-  } else if (nmea.utc_ns < kFirstSensorNs) {
+  } else if (nmea.fault != NmeaFault::kNone || nmea.utc_ns < kFirstSensorNs) {
     ++counters_.nmea_ignored;
   } else if (!nmea.locked) {
     ++counters_.nmea_unlocked;
