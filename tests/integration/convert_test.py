@@ -68,13 +68,14 @@ class Convert(CliTest):
         self.assertEqual([path.name for path in (self.folder / "out").iterdir()], ["notes.txt"])
 
     def test_a_capture_needs_a_model_and_tells_what_no_sensor_saw(self):
-        self.write("scan.pcd", pcd(POINTS))
+        above = [(10.0, 0.5 * k, 6.0, 1.0, 2) for k in range(-5, 6)]  # 31 degrees up: no laser looks there
+        self.write("scan.pcd", pcd(POINTS + above))
         self.check_refused(self.convert("scan.pcd", "drive.pcap"), 2, "--model")
         self.assertFalse((self.folder / "drive.pcap").exists())
         done = self.convert("scan.pcd", "drive.pcap", "--model", "hdl32e")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stderr.count(b"warning:"), 1, done.stderr)
-        self.assertIn(b"of 22 points are left out", done.stderr)
+        self.assertIn(b"11 of 33 points are left out", done.stderr)
 
     def test_recordings_without_a_scan_leave_the_old_output(self):
         self.write("in/a.pcd", pcd(POINTS)[:-7])
