@@ -25,7 +25,7 @@ void add_recording_options(CLI::App& verb, InputRequest& request) {
       ->type_name("ADDRESS");
   verb.add_option("--model", request.model, "of the sensor, where its packets do not say it")->type_name("M");
   verb.add_option("--calibration", request.calibration,
-                  "angles of the sensor's lasers, in the form of its drivers")
+                  "angles of the sensor's lasers or layers (lasers: laser_id, vert_correction, ...)")
       ->type_name("FILE");
   verb.add_option("--frames", request.frames,
                   "only the scans A to B - 1, counted from 0; either may be missing")

@@ -17,7 +17,7 @@ namespace verge::io {
 struct SinkOptions {
   std::optional<Format> format{};      ///< None: by the name's suffix.
   std::optional<std::string> model{};  ///< Whose messages a capture or stream holds; none: the scans' own.
-  std::optional<std::filesystem::path> calibration{};  ///< Of a Velodyne; none: the model's own angles.
+  std::optional<std::filesystem::path> calibration{};  ///< Of the sensor; none: the model's own angles.
   Log log{};                                           ///< What is lost, one line.
 };
 

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "verge/core/atomic_file.hpp"
+#include "verge/io/file/ibeo_stream.hpp"
 #include "verge/io/file/wire_points.hpp"
 #include "verge/sensor/ibeo/idc.hpp"
 #include "verge/sensor/ibeo/wire_scan.hpp"
@@ -72,7 +73,8 @@ class MessageSink : public Sink {
 
 class IdcSink final : public MessageSink {
  public:
-  using MessageSink::MessageSink;
+  IdcSink(fs::path path, AtomicFile file, Log log, ibeo::LuxModel model)
+      : MessageSink(std::move(path), std::move(file), std::move(log)), model_(std::move(model)) {}
 
   [[nodiscard]] Expected<void> write(const Scan& scan) override {
     constexpr std::int64_t kLastNs = 2'085'978'495'000'000'000;  // 2036-02-07, when NTP's seconds end
@@ -95,7 +97,7 @@ class IdcSink final : public MessageSink {
   }
 
  private:
-  ibeo::LuxModel model_ = ibeo::lux();
+  ibeo::LuxModel model_;
   ibeo::IdcWriter writer_;
 };
 
@@ -121,32 +123,37 @@ class AlascaSink final : public MessageSink {
   ScanTimes times_;
 };
 
-template <class MadeSink>
-Expected<std::unique_ptr<Sink>> create_sink(const fs::path& path, const SinkOptions& options,
-                                            std::initializer_list<std::string_view> models) {
+Expected<void> check_model(const fs::path& path, const SinkOptions& options,
+                           std::initializer_list<std::string_view> models) {
   const bool known =
       !options.model || std::find(models.begin(), models.end(), *options.model) != models.end();
-  if (!known) {
-    return Unexpected({ErrorCode::kUsage,
-                       path.string(),
-                       {},
-                       "no such model of this format",
-                       *options.model,
-                       fmt::format("{}", fmt::join(models, " or "))});
-  }
-  auto file = AtomicFile::create(path);
-  if (!file) return Unexpected(std::move(file).error());
-  return std::make_unique<MadeSink>(path, *std::move(file), options.log);
+  if (known) return {};
+  return Unexpected({ErrorCode::kUsage,
+                     path.string(),
+                     {},
+                     "no such model of this format",
+                     *options.model,
+                     fmt::format("{}", fmt::join(models, " or "))});
 }
 
 }  // namespace
 
 Expected<std::unique_ptr<Sink>> create_idc_sink(const fs::path& path, const SinkOptions& options) {
-  return create_sink<IdcSink>(path, options, {"lux", "ldmrs"});
+  if (auto checked = check_model(path, options, {"lux", "ldmrs"}); !checked)
+    return Unexpected(std::move(checked).error());
+  auto model = lux_with_layers(options.calibration);
+  if (!model) return Unexpected(std::move(model).error());
+  auto file = AtomicFile::create(path);
+  if (!file) return Unexpected(std::move(file).error());
+  return std::make_unique<IdcSink>(path, *std::move(file), options.log, *std::move(model));
 }
 
 Expected<std::unique_ptr<Sink>> create_alasca_sink(const fs::path& path, const SinkOptions& options) {
-  return create_sink<AlascaSink>(path, options, {"alasca_xt"});
+  if (auto checked = check_model(path, options, {"alasca_xt"}); !checked)
+    return Unexpected(std::move(checked).error());
+  auto file = AtomicFile::create(path);
+  if (!file) return Unexpected(std::move(file).error());
+  return std::make_unique<AlascaSink>(path, *std::move(file), options.log);
 }
 
 }  // namespace verge::io

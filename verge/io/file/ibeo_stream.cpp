@@ -10,6 +10,7 @@
 #include "verge/core/angle.hpp"
 #include "verge/io/file/framed_recording.hpp"
 #include "verge/io/file/magic.hpp"
+#include "verge/io/file/velodyne_scans.hpp"
 #include "verge/sensor/ibeo/alasca_scan.hpp"
 #include "verge/sensor/ibeo/health2030.hpp"
 #include "verge/sensor/ibeo/idc.hpp"
@@ -36,8 +37,8 @@ std::optional<std::string> note_of(const ibeo::Mounting& mounting, std::uint16_t
 
 class IbeoRecording final : public FramedRecording {
  public:
-  IbeoRecording(Input input, Log log)
-      : FramedRecording(std::move(input), ibeo::kLuxFrames), model_(ibeo::lux()), log_(std::move(log)) {}
+  IbeoRecording(Input input, ibeo::LuxModel model, Log log)
+      : FramedRecording(std::move(input), ibeo::kLuxFrames), model_(std::move(model)), log_(std::move(log)) {}
 
  private:
   [[nodiscard]] Expected<std::optional<Decoded>> decode(const ibeo::Frame& frame) override;
@@ -148,6 +149,26 @@ bool is_ibeo(Bytes head) {
   return false;
 }
 
+Expected<ibeo::LuxModel> lux_with_layers(const std::optional<std::filesystem::path>& calibration) {
+  ibeo::LuxModel model = ibeo::lux();
+  if (!calibration) return model;
+  const auto layers = read_calibration_file(*calibration, model.layer_elevation_rad.size());
+  if (!layers) return Unexpected(layers.error());
+  const auto refuse = [&](std::string what) {
+    return Unexpected({ErrorCode::kUnusable, calibration->string(), {}, std::move(what), {}, {}});
+  };
+  for (std::size_t i = 0; i < layers->size(); ++i) {
+    const sensor::velodyne::LaserCorrection& layer = (*layers)[i];
+    const bool flat = layer.azimuth_rad == 0.0 && layer.distance_m == 0.0 && layer.up_m == 0.0 &&
+                      layer.left_m == 0.0 && !layer.near;
+    if (!flat) return refuse("a LUX's layers have elevations (vert_correction) alone");
+    if (i > 0 && layer.elevation_rad <= model.layer_elevation_rad[i - 1])
+      return refuse("layers do not rise from 0 on");
+    model.layer_elevation_rad[i] = layer.elevation_rad;
+  }
+  return model;
+}
+
 Expected<std::unique_ptr<Recording>> open_ibeo(Input input, const RecordingOptions& options) {
   if (options.model && *options.model != "lux" && *options.model != "ldmrs") {
     return Unexpected(
@@ -161,7 +182,9 @@ Expected<std::unique_ptr<Recording>> open_ibeo(Input input, const RecordingOptio
                                      "holds messages of an ibeo ALASCA XT, not of a LUX", "AF FE C0 C0",
                                      "AF FE C0 C2"));
   }
-  return std::make_unique<IbeoRecording>(std::move(input), options.log);
+  auto model = lux_with_layers(options.calibration);
+  if (!model) return Unexpected(std::move(model).error());
+  return std::make_unique<IbeoRecording>(std::move(input), *std::move(model), options.log);
 }
 
 }  // namespace verge::io

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/file/ibeo_stream.hpp"
 
+#include <cmath>
 #include <cstring>
 #include <utility>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "verge/core/angle.hpp"
 #include "verge/io/file/alasca_stream.hpp"
 #include "verge/io/test_files.hpp"
 #include "verge/sensor/ibeo/alasca_scan.hpp"
@@ -390,6 +393,48 @@ TEST(IbeoStream, WithAnyBitFlippedTheOtherMessagesAreThere) {
       ASSERT_GE(read_ibeo(joined({scan, bad, scan})).scans.size(), 2U) << at << " bit " << bit;
     }
   }
+}
+
+/// A calibration of these layers, degrees, with more about layer 0.
+std::string layers_file(const std::vector<double>& degrees, const std::string& more = {}) {
+  std::string text = "lasers:\n";
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    text += fmt::format("- {{laser_id: {}, vert_correction: {}{}}}\n", i, deg_to_rad(degrees[i]),
+                        i == 0 ? more : "");
+  }
+  return text;
+}
+
+// Paper 2's sensor, by its printed points.
+TEST(IbeoStream, LayersLookWhereTheCalibrationSays) {
+  const testing::TemporaryFolder folder;
+  const std::vector<double> degrees{-0.8, 0.0, 0.8, 1.6};
+  const File bytes = lux_scan_message(4);
+  auto recording = open_ibeo(Input::of(bytes, "a.idc"),
+                             {.calibration = folder.write("layers.yaml", layers_file(degrees))});
+  ASSERT_TRUE(recording) << to_string(recording.error());
+  const auto scan = (*recording)->next();
+  ASSERT_TRUE(scan && *scan);
+  const Cloud& cloud = (*scan)->cloud;
+  ASSERT_EQ(cloud.x.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double level = std::hypot(cloud.x[i], cloud.y[i]);
+    EXPECT_NEAR(rad_to_deg(std::atan2(cloud.z[i], level)), degrees[i], 1e-5);
+  }
+}
+
+TEST(IbeoStream, ALayerTableThatCannotBeIsRefused) {
+  const testing::TemporaryFolder folder;
+  const auto refusal = [&](const std::string& text) {
+    const auto model = lux_with_layers(folder.write("layers.yaml", text));
+    return model ? std::string("taken") : to_string(model.error());
+  };
+  EXPECT_THAT(refusal(layers_file({-1.0, 0.0, 1.0})), HasSubstr("got 3 lasers, need 4 lasers"));
+  EXPECT_THAT(refusal(layers_file({-1.0, 1.0, 0.0, 2.0})), HasSubstr("layers do not rise"));
+  EXPECT_THAT(refusal(layers_file({-1.0, 0.0, 1.0, 2.0}, ", dist_correction: 0.1")),
+              HasSubstr("elevations (vert_correction) alone"));
+  EXPECT_THAT(refusal("lasers:\n- {"), HasSubstr("layers.yaml:"));
+  EXPECT_FALSE(lux_with_layers(folder.path() / "missing.yaml"));
 }
 
 // The same recording read through an Input whose pieces of 64 KiB fall anywhere.
