@@ -93,6 +93,11 @@ void check(Bytes input) {
     require(std::isfinite(pose.translation.x) && std::isfinite(pose.translation.y) &&
             std::isfinite(pose.translation.z) && std::isfinite(pose.rotation.w));
   }
+  for (std::size_t row = 0; row < track.T_world_sensor.size(); ++row) {
+    Scan scan;
+    track.attach(scan, row);
+    require(!scan.motion || scan.motion->duration_ns > 0);
+  }
   require(read().stamps_ns == track.stamps_ns);
 }
 

@@ -154,6 +154,8 @@ std::vector<std::size_t> kitti_rows(const std::vector<fs::path>& files, std::siz
 std::optional<std::int64_t> parse_date_time(std::string_view text) {
   // YYYY-MM-DD HH:MM:SS[.fraction]
   constexpr std::string_view kShape = "dddd-dd-dd dd:dd:dd";
+  constexpr int kFirstYear = 1970;
+  constexpr int kLastYear = 2261;  // 64 bits of nanoseconds end in 2262
   if (text.size() < kShape.size()) return std::nullopt;
   for (std::size_t i = 0; i < kShape.size(); ++i) {
     const bool digit = text[i] >= '0' && text[i] <= '9';
@@ -168,7 +170,8 @@ std::optional<std::int64_t> parse_date_time(std::string_view text) {
   const int hour = part(11, 2);
   const int minute = part(14, 2);
   const int second = part(17, 2);
-  if (!day.ok() || hour > 23 || minute > 59 || second > 60) return std::nullopt;
+  const bool in_range = part(0, 4) >= kFirstYear && part(0, 4) <= kLastYear;
+  if (!in_range || !day.ok() || hour > 23 || minute > 59 || second > 60) return std::nullopt;
   std::string_view fraction = text.substr(kShape.size());
   std::int64_t nanoseconds = 0;
   if (!fraction.empty()) {

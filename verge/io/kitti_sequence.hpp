@@ -28,7 +28,8 @@ namespace verge::io {
 [[nodiscard]] std::vector<std::size_t> kitti_rows(const std::vector<std::filesystem::path>& files,
                                                   std::size_t rows);
 
-/// "2011-09-26 13:02:25.594360375" in UTC as nanoseconds since the Unix epoch. None: no time.
+/// "2011-09-26 13:02:25.594360375" in UTC as nanoseconds since the Unix epoch. None: no time, or one before
+/// 1970 or after 2261.
 [[nodiscard]] std::optional<std::int64_t> parse_date_time(std::string_view text);
 
 }  // namespace verge::io

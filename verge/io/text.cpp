@@ -83,7 +83,8 @@ std::optional<std::int64_t> parse_seconds(std::string_view text) {
   if (!word || words.next()) return std::nullopt;
   if (const auto exact = parse_decimal_seconds(word->text)) return exact;
   const auto seconds = parse_number<double>(word->text);
-  if (!seconds || !(std::fabs(*seconds) < 9e9)) return std::nullopt;
+  // Two of these have a difference in 64 bits of nanoseconds too.
+  if (!seconds || !(*seconds > -2e8 && *seconds < 9e9)) return std::nullopt;
   const double floor = std::floor(*seconds);
   return static_cast<std::int64_t>(floor) * kSecond +
          std::llround((*seconds - floor) * static_cast<double>(kSecond));

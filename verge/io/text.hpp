@@ -90,7 +90,7 @@ template <class T>
 [[nodiscard]] std::string quoted(std::string_view text);
 
 /// Seconds with decimals or exponent ("1.036224e-01") as nanoseconds: exact with up to nine decimals and no
-/// exponent. None: no time.
+/// exponent. None: no time, or not within -2e8 to 9e9 s.
 [[nodiscard]] std::optional<std::int64_t> parse_seconds(std::string_view text);
 
 }  // namespace verge::io

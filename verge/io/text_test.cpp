@@ -26,7 +26,8 @@ TEST(ParseSeconds, KeepsNanoseconds) {
   EXPECT_EQ(parse_seconds("-0.5"), -500'000'000);
   EXPECT_EQ(parse_seconds(" 12.000000001 "), 12'000'000'001);
   EXPECT_EQ(parse_seconds("12"), 12'000'000'000);
-  for (const char* text : {"", "x", "1 2", "nan", "1e300"}) EXPECT_FALSE(parse_seconds(text)) << text;
+  for (const char* text : {"", "x", "1 2", "nan", "1e300", "9e9", "-2e8"})
+    EXPECT_FALSE(parse_seconds(text)) << text;
 }
 
 }  // namespace
