@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/emit/geojson.hpp"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "verge/emit/geojson_geometry.hpp"
 #include "verge/emit/jsonl_writer.hpp"
 #include "verge/emit/scene_properties.hpp"
 
@@ -15,66 +18,86 @@ namespace verge::emit {
 namespace {
 
 using nlohmann::ordered_json;
-using Position = std::vector<double>;
-using Line = std::vector<Position>;
+/// A feature before its frame's own properties are added: where it is, and what it is.
+struct Feature {
+  ordered_json geometry;
+  ordered_json properties;
+};
 
-/// Degrees to 1e-9, which is 0.1 mm on the ground.
-double rounded_degrees(double deg) { return std::round(deg * 1e9) / 1e9 + 0.0; }
+template <class Part>
+ordered_json named_properties(std::string_view name, const Part& part) {
+  ordered_json properties{{"part", name}};
+  properties.update(properties_of(part));
+  return properties;
+}
 
-/// The line in pieces that each stay on one side of the antimeridian (RFC 7946, 3.1.9). Two neighbours more
-/// than half a turn apart are taken as meeting the short way.
-std::vector<Line> cut_at_antimeridian(const Line& line) {
-  std::vector<Line> pieces(1);
-  for (const Position& next : line) {
-    Line& piece = pieces.back();
-    if (!piece.empty() && std::fabs(next[0] - piece.back()[0]) > 180.0) {
-      const Position& last = piece.back();
-      const double edge = std::copysign(180.0, last[0]);
-      const double t = (edge - last[0]) / (next[0] + 2.0 * edge - last[0]);
-      const double latitude = rounded_degrees(last[1] + t * (next[1] - last[1]));
-      piece.push_back(Position{edge, latitude});
-      pieces.push_back(Line{Position{-edge, latitude}});
-    }
-    pieces.back().push_back(next);
+Feature feature_of(const Boundary& boundary, const GeoPlacer& placer) {
+  ordered_json properties = named_properties("boundary", boundary);
+  add_point_properties(properties, boundary);
+  return {placer.line(boundary.points), std::move(properties)};
+}
+
+Vec3 flat(Vec2 p) { return {p.x, p.y, 0.0}; }
+
+Feature feature_of(const Opening& opening, const GeoPlacer& placer) {
+  const std::array ends{flat(opening.ends[0]), flat(opening.ends[1])};
+  return {placer.line(ends), named_properties("opening", opening)};
+}
+
+Feature feature_of(const Corner& corner, const GeoPlacer& placer) {
+  return {placer.line(std::array{flat(corner.position)}), named_properties("corner", corner)};
+}
+
+Feature feature_of(const Junction& junction, const GeoPlacer& placer) {
+  return {placer.line(std::array{flat(junction.center)}), named_properties("junction", junction)};
+}
+
+/// The object's footprint.
+Feature feature_of(const Object& object, const GeoPlacer& placer) {
+  const Pose T_sensor_object{from_yaw_pitch_roll(object.yaw_rad, 0.0, 0.0), object.center};
+  const double x = 0.5 * object.size.length_m;
+  const double y = 0.5 * object.size.width_m;
+  std::vector<Vec3> corners;
+  for (const Vec3 corner : {Vec3{x, y, 0.0}, Vec3{-x, y, 0.0}, Vec3{-x, -y, 0.0}, Vec3{x, -y, 0.0}}) {
+    corners.push_back(T_sensor_object * corner);
   }
-  return pieces;
+  return {placer.polygon(corners), named_properties("object", object)};
 }
 
-ordered_json geometry_of(const Line& line, bool geographic) {
-  if (line.empty()) return nullptr;
-  if (line.size() == 1) return {{"type", "Point"}, {"coordinates", line.front()}};
-  const std::vector<Line> pieces = geographic ? cut_at_antimeridian(line) : std::vector<Line>{line};
-  if (pieces.size() > 1) return {{"type", "MultiLineString"}, {"coordinates", pieces}};
-  return {{"type", "LineString"}, {"coordinates", line}};
+Feature feature_of(const RoadSurface& road, const GeoPlacer& placer) {
+  std::vector<Vec3> outline;
+  for (const Vec2 p : road.polygon) outline.push_back(flat(p));
+  return {placer.polygon(outline), {{"part", "road"}}};
 }
 
-Line positions_of(const Boundary& boundary, const Pose& T_local_sensor,
-                  const std::optional<GeoOrigin>& origin) {
-  Line line;
-  line.reserve(boundary.points.size());
-  for (const Vec3 p_sensor : boundary.points) {
-    const Vec3 p = T_local_sensor * p_sensor;
-    if (origin) {
-      const LonLat place = to_wgs84(*origin, p);
-      line.push_back({rounded_degrees(place.longitude_deg), rounded_degrees(place.latitude_deg)});
-    } else {
-      line.push_back({rounded(p.x), rounded(p.y)});
-    }
-  }
-  return line;
+template <class Part>
+void add_features(std::vector<Feature>& features, const std::vector<Part>& parts, const GeoPlacer& placer) {
+  for (const Part& part : parts) features.push_back(feature_of(part, placer));
 }
 
-ordered_json feature_properties(const Scene& scene, const Boundary& boundary) {
+std::vector<Feature> features_of(const Scene& scene, const GeoPlacer& placer) {
+  std::vector<Feature> features;
+  add_features(features, scene.boundaries, placer);
+  add_features(features, scene.openings, placer);
+  add_features(features, scene.corners, placer);
+  add_features(features, scene.junctions, placer);
+  add_features(features, scene.objects, placer);
+  if (scene.road && !scene.road->polygon.empty()) features.push_back(feature_of(*scene.road, placer));
+  return features;
+}
+
+/// The frame's properties around the feature's own.
+ordered_json feature_json(const Scene& scene, Feature feature) {
   ordered_json properties{{"frame", scene.frame}, {"stamp_ns", nullptr}, {"stamp_ns_text", nullptr}};
   if (scene.stamp_ns) {
     properties["stamp_ns"] = *scene.stamp_ns;
     properties["stamp_ns_text"] = std::to_string(*scene.stamp_ns);
   }
   properties["frame_id"] = scene.frame_id;
-  properties.update(properties_of(boundary));
-  add_point_properties(properties, boundary);
+  properties.update(feature.properties);
   add_origin(properties, scene);
-  return properties;
+  return {
+      {"type", "Feature"}, {"geometry", std::move(feature.geometry)}, {"properties", std::move(properties)}};
 }
 
 /// The collection up to its first feature.
@@ -126,13 +149,9 @@ Expected<void> GeoJsonWriter::write(const Scene& scene, const std::optional<Pose
     text = head_of(origin_, T_local_world_.has_value());
   }
   const std::optional<Pose> T_local_sensor = place(T_world_sensor);
-  for (const Boundary& boundary : scene.boundaries) {
-    const Line line = T_local_sensor ? positions_of(boundary, *T_local_sensor, origin_) : Line{};
-    const ordered_json feature{{"type", "Feature"},
-                               {"geometry", geometry_of(line, origin_.has_value())},
-                               {"properties", feature_properties(scene, boundary)}};
+  for (Feature& feature : features_of(scene, GeoPlacer(T_local_sensor, origin_))) {
     text += std::exchange(has_feature_, true) ? ",\n" : "\n";
-    text += text_of(feature);
+    text += text_of(feature_json(scene, std::move(feature)));
   }
   return put(text);
 }

@@ -13,9 +13,10 @@
 
 namespace verge::emit {
 
-/// Scenes as one GeoJSON FeatureCollection (RFC 7946), a feature a boundary and a line of text a feature,
-/// with the JSON line's keys as properties and stamp_ns a second time as text (stamp_ns_text), since many
-/// readers hold numbers only up to 2^53.
+/// Scenes as one GeoJSON FeatureCollection (RFC 7946), a feature a part and a line of text a feature, with
+/// the JSON line's keys as properties, "part" (boundary, opening, corner, junction, object, road), and
+/// stamp_ns a second time as text (stamp_ns_text), since many readers hold numbers only up to 2^53. Health
+/// and the road's widths stand in the JSON lines alone.
 ///
 /// Frame: with an origin, WGS 84 as [longitude, latitude] to 1e-9 degrees; else metres to 0.1 mm as [x, y], x
 /// forward and y left, which the collection's member "coordinate_frame" says ("crs" is no longer allowed).
@@ -23,9 +24,10 @@ namespace verge::emit {
 /// there is one), and later scans are moved into it by their poses; a later scan without a pose has no place,
 /// and its features have the geometry null. Where the first scan has none, every scan stands at the origin.
 ///
-/// Geometry: LineString; Point for one point; null for none; a line across the antimeridian is cut into a
-/// MultiLineString there. Memory does not grow with the number of scenes. Errors and when the bytes appear:
-/// as SceneWriter.
+/// Geometry: LineString of a boundary (Point for one point; null for none) and across an opening, Point of a
+/// corner and a junction's center, Polygon of an object's footprint and of the road. A line across the
+/// antimeridian is cut into a MultiLineString there; of a polygon across it the outline is given so. Memory
+/// does not grow with the number of scenes. Errors and when the bytes appear: as SceneWriter.
 class GeoJsonWriter {
  public:
   /// Throws std::invalid_argument where the origin is outside its ranges.

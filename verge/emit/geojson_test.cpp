@@ -83,7 +83,7 @@ TEST_F(GeoJsonTest, AFeatureCarriesThePropertiesOfTheJsonLine) {
   const json properties =
       written({{scene_with({{}, {1.0, 0.0, 0.0}}), {}}}).at("features").at(0).at("properties");
   EXPECT_EQ(properties, json::parse(R"({"frame":"000001","stamp_ns":1700000000123456789,
-      "stamp_ns_text":"1700000000123456789","frame_id":"sensor","id":4,"side":"left","model":"polyline",
+      "stamp_ns_text":"1700000000123456789","frame_id":"sensor","part":"boundary","id":4,"side":"left","model":"polyline",
       "kind":"curb","confidence":0.5,"height_m":[0.12,0.12],"method":"gradient"})"));
 }
 
@@ -152,6 +152,46 @@ TEST_F(GeoJsonTest, ALineAcrossTheAntimeridianIsCutThere) {
   EXPECT_EQ(pieces.at(1).at(0).at(0), -180.0);
   EXPECT_EQ(pieces.at(0).at(1).at(1), pieces.at(1).at(0).at(1));
   EXPECT_LT(pieces.at(1).at(1).at(0).get<double>(), -179.0);
+}
+
+/// A scene with one part of each kind but a boundary.
+Scene scene_with_parts() {
+  Scene scene;
+  scene.frame = "000001";
+  scene.openings.push_back({{Vec2{4.0, 4.0}, Vec2{9.0, 4.0}}, 5.0, 0.5});
+  scene.corners.push_back({.side = CornerSide::kRight, .position = {8.0, -3.0}, .confidence = 0.5});
+  scene.junctions.push_back({.type = JunctionType::kT, .center = {20.0, 1.0}, .branches_rad = {3.1, 1.5}});
+  Object& object = scene.objects.emplace_back();
+  object.center = {10.0, 2.0, -1.0};
+  object.size = {4.0, 2.0, 1.5};
+  object.yaw_rad = std::numbers::pi / 2.0;
+  scene.road = RoadSurface{{}, {{0.0, -3.0}, {0.0, 3.0}, {20.0, 3.0}}};  // clockwise
+  return scene;
+}
+
+TEST_F(GeoJsonTest, EveryPartHasItsGeometry) {
+  const json collection = written({{scene_with_parts(), {}}});
+  expect_rfc7946(collection);
+  std::vector<std::string> parts;
+  for (const json& feature : collection.at("features")) parts.push_back(feature.at("properties").at("part"));
+  EXPECT_EQ(parts, (std::vector<std::string>{"opening", "corner", "junction", "object", "road"}));
+  const auto geometry = [&](std::size_t i) { return collection.at("features").at(i).at("geometry"); };
+  EXPECT_EQ(geometry(0), json::parse(R"({"type":"LineString","coordinates":[[4.0,4.0],[9.0,4.0]]})"));
+  EXPECT_EQ(geometry(1), json::parse(R"({"type":"Point","coordinates":[8.0,-3.0]})"));
+  EXPECT_EQ(geometry(2), json::parse(R"({"type":"Point","coordinates":[20.0,1.0]})"));
+  EXPECT_EQ(geometry(3), json::parse(R"({"type":"Polygon","coordinates":
+      [[[9.0,4.0],[9.0,0.0],[11.0,0.0],[11.0,4.0],[9.0,4.0]]]})"));
+  EXPECT_EQ(geometry(4), json::parse(R"({"type":"Polygon","coordinates":
+      [[[0.0,-3.0],[20.0,3.0],[0.0,3.0],[0.0,-3.0]]]})"));
+}
+
+TEST_F(GeoJsonTest, APolygonAcrossTheAntimeridianIsItsOutlineCutThere) {
+  const GeoOrigin fiji{-17.0, 180.0, 90.0};
+  Scene across;
+  across.road = RoadSurface{{}, {{-10.0, -3.0}, {10.0, 0.0}, {-10.0, 3.0}}};
+  const json geometry = written({{across, {}}}, fiji).at("features").at(0).at("geometry");
+  EXPECT_EQ(geometry.at("type"), "MultiLineString");
+  EXPECT_EQ(geometry.at("coordinates").size(), 3U);
 }
 
 TEST_F(GeoJsonTest, WithoutScenesTheCollectionIsEmptyAndValid) {

@@ -27,6 +27,14 @@ Scene scene_with_everything() {
                               {{1.0, 2.5, -1.84}, {3.00004, -0.00004, 0.12345}},
                               {0.12, 0.1},
                               {PointState::kVisible, PointState::kOccluded}});
+  scene.openings.push_back({{Vec2{4.0, 4.1}, Vec2{9.0, 4.0}}, 5.001, 0.7});
+  scene.corners.push_back({3, CornerSide::kBoth, {8.0, -3.5}, 0.3, 8.2, 5.0, 13.1, 0.9});
+  scene.corners.push_back({4, CornerSide::kRight, {9.0, -3.5}, {}, {}, {}, {}, 0.2});
+  scene.junctions.push_back({JunctionType::kDeadEnd, {20.0, 0.0}, {-3.0, 1.5}, 0.8});
+  scene.objects.push_back(
+      {9, ObjectClass::kVan, ObjectShape::kJ, {10.0, 2.0, -1.0}, {5.0, 2.0, 1.9}, 0.1, 0.8});
+  scene.objects.push_back({10, ObjectClass::kPole, {}, {1.0, 2.0, 0.0}, {0.2, 0.2, 4.0}, 0.0, 1.0});
+  scene.road = RoadSurface{{{0.0, 7.0}, {5.0, 6.5}}, {{0.0, -3.0}, {20.0, -3.0}, {20.0, 3.0}}};
   scene.health = Health{"degraded", 0.75, {{-3.14159265, -2.5}}};
   scene.method = "gradient";
   scene.version = "0.1.0";
@@ -42,6 +50,17 @@ TEST(SceneJson, TheLineIsTheDocumentedOne) {
             R"("boundaries":[{"id":7,"side":"left","model":"line","kind":"curb","confidence":0.97,)"
             R"("points":[[1.0,2.5,-1.84],[3.0,0.0,0.1235]],"height_m":[0.12,0.1],)"
             R"("state":["visible","occluded"]}],)"
+            R"("openings":[{"ends":[[4.0,4.1],[9.0,4.0]],"width_m":5.001,"confidence":0.7}],)"
+            R"("corners":[{"id":3,"side":"both","sigma_m":0.3,"distance_m":8.2,"width_m":5.0,"exit_m":13.1,)"
+            R"("confidence":0.9,"position":[8.0,-3.5]},)"
+            R"({"id":4,"side":"right","confidence":0.2,"position":[9.0,-3.5]}],)"
+            R"("junctions":[{"type":"dead_end","branches_rad":[-3.0,1.5],"confidence":0.8,)"
+            R"("center":[20.0,0.0]}],)"
+            R"("objects":[{"id":9,"class":"van","shape":"J","size":[5.0,2.0,1.9],"yaw_rad":0.1,)"
+            R"("confidence":0.8,"center":[10.0,2.0,-1.0]},)"
+            R"({"id":10,"class":"pole","size":[0.2,0.2,4.0],"yaw_rad":0.0,"confidence":1.0,)"
+            R"("center":[1.0,2.0,0.0]}],)"
+            R"("road":{"width_m":[[0.0,7.0],[5.0,6.5]],"polygon":[[0.0,-3.0],[20.0,-3.0],[20.0,3.0]]},)"
             R"("health":{"state":"degraded","completeness":0.75,"unobserved":[[-3.1416,-2.5]]},)"
             R"("method":"gradient","version":"0.1.0","config_hash":"00ff"})");
 }
@@ -102,6 +121,18 @@ TEST(ParseScene, ReadsBackWhatWasWritten) {
   EXPECT_EQ(boundary.points, (std::vector<Vec3>{{1.0, 2.5, -1.84}, {3.0, 0.0, 0.1235}}));
   EXPECT_EQ(boundary.height_m, (std::vector<double>{0.12, 0.1}));
   EXPECT_EQ(boundary.state, (std::vector<PointState>{PointState::kVisible, PointState::kOccluded}));
+  EXPECT_EQ(scene.openings.at(0).ends[1], (Vec2{9.0, 4.0}));
+  EXPECT_EQ(scene.openings.at(0).width_m, 5.001);
+  EXPECT_EQ(scene.corners.at(0).exit_m, 13.1);
+  EXPECT_EQ(scene.corners.at(0).side, CornerSide::kBoth);
+  EXPECT_FALSE(scene.corners.at(1).distance_m.has_value());
+  EXPECT_EQ(scene.junctions.at(0).branches_rad, (std::vector<double>{-3.0, 1.5}));
+  EXPECT_EQ(scene.objects.at(0).shape, ObjectShape::kJ);
+  EXPECT_EQ(scene.objects.at(0).size, (BoxSize{5.0, 2.0, 1.9}));
+  EXPECT_FALSE(scene.objects.at(1).shape.has_value());
+  ASSERT_TRUE(scene.road.has_value());
+  EXPECT_EQ(scene.road->width_m.at(1), (RoadWidth{5.0, 6.5}));
+  EXPECT_EQ(scene.road->polygon.at(2), (Vec2{20.0, 3.0}));
   ASSERT_TRUE(scene.health.has_value());
   EXPECT_EQ(scene.health->state, "degraded");
   EXPECT_EQ(scene.health->completeness, 0.75);
@@ -127,6 +158,12 @@ TEST(ParseScene, BarePointsBelongToNoLine) {
   ASSERT_EQ(scene.boundaries.size(), 2U);
   EXPECT_EQ(scene.boundaries[0].points, (std::vector<Vec3>{{1.0, 2.0, 3.0}}));
   EXPECT_EQ(scene.boundaries[1].points, (std::vector<Vec3>{{4.0, 5.0, 0.0}}));
+}
+
+TEST(ParseScene, AnOpeningWithoutAWidthHasThatOfItsEnds) {
+  const Scene scene = parse_scene(R"({"frame":"7","points":[],"openings":[{"ends":[[0,0],[3,4]]}]})").value();
+  EXPECT_EQ(scene.openings.at(0).width_m, 5.0);
+  EXPECT_EQ(scene.openings.at(0).confidence, 1.0);
 }
 
 TEST(ParseScene, NoBoundariesIsAScene) {
@@ -180,6 +217,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "got 1 numbers, need 2 or 3"},
         BadLine{R"({"frame":"1","boundaries":[{"points":[[1,2]],"state":[]}]})",
                 R"({"frame":"1","boundaries":[{"points":[[1,2]],"state":)", "got 0, need 1"},
+        BadLine{R"({"frame":"1","points":[],"openings":[{"ends":[[1,2]]}]})",
+                R"({"frame":"1","points":[],"openings":[{"ends":)", "got 1 points, need 2"},
+        BadLine{R"({"frame":"1","points":[],"corners":[{},{"position":[1,2]}]})",
+                R"({"frame":"1","points":[],"corners":[)", "need \"position\""},
+        BadLine{R"({"frame":"1","points":[],"corners":[{"position":[1,2],"width_m":-1}]})",
+                R"({"frame":"1","points":[],"corners":[{"position":[1,2],"width_m":)", "a negative size"},
+        BadLine{R"({"frame":"1","points":[],"junctions":[{"center":[1,2],"type":"Y"}]})",
+                R"({"frame":"1","points":[],"junctions":[{"center":[1,2],"type":)", "unknown name"},
+        BadLine{R"({"frame":"1","points":[],"objects":[{"center":[1,2],"size":[1,2,-3]}]})",
+                R"({"frame":"1","points":[],"objects":[{"center":[1,2],"size":)", "a negative size"},
+        BadLine{R"({"frame":"1","points":[],"road":[]})", R"({"frame":"1","points":[],"road":)",
+                "got array, need an object"},
         BadLine{R"({"frame":"1","points":[],"health":{"unobserved":[[1,2],[3]]}})",
                 R"({"frame":"1","points":[],"health":{"unobserved":[[1,2],)", "need 2"}));
 
@@ -211,6 +260,49 @@ Boundary any_boundary() {
   return boundary;
 }
 
+Object any_object() {
+  Object object;
+  object.type = static_cast<ObjectClass>(*rc::gen::inRange(0, 8));
+  if (*rc::gen::arbitrary<bool>()) object.shape = static_cast<ObjectShape>(*rc::gen::inRange(0, 3));
+  object.center = {*coordinate(), *coordinate(), *coordinate()};
+  object.size = {std::fabs(*coordinate()), std::fabs(*coordinate()), std::fabs(*coordinate())};
+  object.yaw_rad = *coordinate();
+  return object;
+}
+
+Corner any_corner() {
+  Corner corner;
+  corner.side = static_cast<CornerSide>(*rc::gen::inRange(0, 3));
+  corner.position = {*coordinate(), *coordinate()};
+  if (*rc::gen::arbitrary<bool>()) corner.sigma_m = std::fabs(*coordinate());
+  if (*rc::gen::arbitrary<bool>()) corner.distance_m = *coordinate();
+  if (*rc::gen::arbitrary<bool>()) corner.width_m = std::fabs(*coordinate());
+  if (*rc::gen::arbitrary<bool>()) corner.exit_m = *coordinate();
+  return corner;
+}
+
+/// Some of the parts that not every method makes.
+void add_any_parts(Scene& scene) {
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i) scene.corners.push_back(any_corner());
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i) scene.objects.push_back(any_object());
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i) {
+    scene.openings.push_back({{Vec2{*coordinate(), *coordinate()}, Vec2{*coordinate(), *coordinate()}},
+                              std::fabs(*coordinate()),
+                              1.0});
+  }
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i) {
+    scene.junctions.push_back({static_cast<JunctionType>(*rc::gen::inRange(0, 6)),
+                               {*coordinate(), *coordinate()},
+                               {*coordinate(), *coordinate()},
+                               0.5});
+  }
+  if (*rc::gen::arbitrary<bool>()) scene.road.emplace();
+  for (int i = *rc::gen::inRange(0, 3); scene.road && i > 0; --i) {
+    scene.road->polygon.push_back({*coordinate(), *coordinate()});
+    scene.road->width_m.push_back({*coordinate(), *coordinate()});
+  }
+}
+
 Scene any_scene() {
   Scene scene;
   scene.frame = *rc::gen::string<std::string>();
@@ -219,6 +311,7 @@ Scene any_scene() {
   for (int i = 0; i < boundaries; ++i) scene.boundaries.push_back(any_boundary());
   if (*rc::gen::arbitrary<bool>()) scene.health = Health{"ok", 1.0, {{*coordinate(), *coordinate()}}};
   scene.method = *rc::gen::string<std::string>();
+  add_any_parts(scene);
   return scene;
 }
 

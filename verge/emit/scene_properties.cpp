@@ -9,6 +9,14 @@ namespace verge::emit {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+void add_where_known(ordered_json& properties, const char* name, const std::optional<double>& value) {
+  if (value) properties[name] = rounded(*value);
+}
+
+}  // namespace
+
 double rounded(double value) {
   assert(std::isfinite(value));
   constexpr double kPerUnit = 1e4;
@@ -24,6 +32,38 @@ ordered_json properties_of(const Boundary& boundary) {
           {"model", name_of(boundary.model)},
           {"kind", name_of(boundary.kind)},
           {"confidence", rounded(boundary.confidence)}};
+}
+
+ordered_json properties_of(const Opening& opening) {
+  return {{"width_m", rounded(opening.width_m)}, {"confidence", rounded(opening.confidence)}};
+}
+
+ordered_json properties_of(const Corner& corner) {
+  ordered_json properties{{"id", corner.id}, {"side", name_of(corner.side)}};
+  add_where_known(properties, "sigma_m", corner.sigma_m);
+  add_where_known(properties, "distance_m", corner.distance_m);
+  add_where_known(properties, "width_m", corner.width_m);
+  add_where_known(properties, "exit_m", corner.exit_m);
+  properties["confidence"] = rounded(corner.confidence);
+  return properties;
+}
+
+ordered_json properties_of(const Junction& junction) {
+  ordered_json properties{{"type", name_of(junction.type)}};
+  ordered_json& branches = properties["branches_rad"] = ordered_json::array();
+  for (const double branch_rad : junction.branches_rad) branches.push_back(rounded(branch_rad));
+  properties["confidence"] = rounded(junction.confidence);
+  return properties;
+}
+
+ordered_json properties_of(const Object& object) {
+  ordered_json properties{{"id", object.id}, {"class", name_of(object.type)}};
+  if (object.shape) properties["shape"] = name_of(*object.shape);
+  properties["size"] = {rounded(object.size.length_m), rounded(object.size.width_m),
+                        rounded(object.size.height_m)};
+  properties["yaw_rad"] = rounded(object.yaw_rad);
+  properties["confidence"] = rounded(object.confidence);
+  return properties;
 }
 
 void add_point_properties(ordered_json& properties, const Boundary& boundary) {

@@ -15,6 +15,12 @@ namespace verge::emit {
 /// What a boundary is apart from its points: id, side, model, kind, confidence.
 [[nodiscard]] nlohmann::ordered_json properties_of(const Boundary& boundary);
 
+/// Likewise of what stands at a place of its own, without that place.
+[[nodiscard]] nlohmann::ordered_json properties_of(const Opening& opening);
+[[nodiscard]] nlohmann::ordered_json properties_of(const Corner& corner);
+[[nodiscard]] nlohmann::ordered_json properties_of(const Junction& junction);
+[[nodiscard]] nlohmann::ordered_json properties_of(const Object& object);
+
 /// height_m and state, where the boundary has them.
 void add_point_properties(nlohmann::ordered_json& properties, const Boundary& boundary);
 

@@ -8,13 +8,29 @@
 namespace verge {
 namespace {
 
-TEST(Names, EveryValueOfAnEnumIsFoundByItsName) {
-  for (const std::string_view name : enum_names<BoundaryKind>) {
-    const auto value = value_named<BoundaryKind>(name);
+template <class Enum>
+void expect_every_name_is_found() {
+  for (const std::string_view name : enum_names<Enum>) {
+    const auto value = value_named<Enum>(name);
     ASSERT_TRUE(value.has_value());
     EXPECT_EQ(name_of(*value), name);
   }
+}
+
+TEST(Names, EveryValueOfAnEnumIsFoundByItsName) {
+  expect_every_name_is_found<BoundaryKind>();
+  expect_every_name_is_found<CornerSide>();
+  expect_every_name_is_found<JunctionType>();
+  expect_every_name_is_found<ObjectClass>();
+  expect_every_name_is_found<ObjectShape>();
   EXPECT_FALSE(value_named<BoundaryKind>("kerb").has_value());
+}
+
+TEST(Names, TheLastValueOfEachEnumHasTheLastName) {
+  EXPECT_EQ(name_of(CornerSide::kBoth), enum_names<CornerSide>.back());
+  EXPECT_EQ(name_of(JunctionType::kDeadEnd), enum_names<JunctionType>.back());
+  EXPECT_EQ(name_of(ObjectClass::kUnknown), enum_names<ObjectClass>.back());
+  EXPECT_EQ(name_of(ObjectShape::kL), enum_names<ObjectShape>.back());
 }
 
 TEST(Trace, LayersAreFoundByName) {
