@@ -1,159 +1,180 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
-#include <system_error>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "apps/verge/commands.hpp"
 #include "apps/verge/console.hpp"
 #include "apps/verge/number_range.hpp"
 #include "apps/verge/options.hpp"
-#include "apps/verge/progress.hpp"
+#include "apps/verge/scenario_file.hpp"
 #include "apps/verge/signals.hpp"
-#include "verge/emit/jsonl_writer.hpp"
-#include "verge/io/file/nuscenes.hpp"
+#include "apps/verge/simulate_job.hpp"
 #include "verge/sim/drive.hpp"
+#include "verge/sim/ready.hpp"
+#include "verge/sim/sensors.hpp"
 
 namespace verge::app {
 namespace {
 
 constexpr const char* kExamples =
     "Examples:\n"
-    "  verge simulate drive                          # a straight road, then a curve; truth in "
-    "drive/truth.jsonl\n"
-    "  verge simulate rain --noise-m 0.05 --seed 7   # the same road seen by a worse sensor\n";
+    "  verge simulate --list                             # the scenarios that there are\n"
+    "  verge simulate campus -o drive                    # scans, truth.jsonl and labels in drive/\n"
+    "  verge simulate --seed 7 -o random                 # a scenario drawn by the seed\n"
+    "  verge simulate crossing --dump > mine.toml        # a scenario as a file, to be edited ...\n"
+    "  verge simulate mine.toml -o mine --noise-m 0.05   # ... and driven with a worse sensor\n";
 
-enum class RoadKind : std::uint8_t { kStraight, kCurve, kDrive };
+constexpr std::size_t kUsualScans = 120;
 
-struct SimulateRequest {
-  std::filesystem::path folder;
-  RoadKind road = RoadKind::kDrive;
-  std::size_t scans = 120;
-  std::uint64_t seed = 1;
-  double speed_kmh = 28.8;
-  double noise_m = 0.02;
-  bool skewed = false;
-  Console::Options console;
-};
+Error usage_error(std::string what) { return {ErrorCode::kUsage, {}, {}, std::move(what), {}, {}}; }
 
-sim::DriveConfig ready_drive(RoadKind kind, double travel_m) {
-  switch (kind) {
-    case RoadKind::kStraight:
-      return sim::straight_road(travel_m);
-    case RoadKind::kCurve:
-      return sim::curved_road(travel_m);
-    case RoadKind::kDrive:
-      break;
+bool is_file(const std::string& scenario) { return scenario.ends_with(".toml"); }
+
+Expected<sim::Scenario> scenario_of(const SimulateRequest& request) {
+  if (!request.scenario && !request.seed) {
+    return Unexpected(usage_error("name a SCENARIO (verge simulate --list), a .toml file, or a --seed"));
   }
-  return sim::demo_drive(travel_m);
+  if (request.scenario && is_file(*request.scenario)) return read_scenario(*request.scenario);
+  sim::Scenario scenario;
+  try {
+    scenario =
+        request.scenario ? sim::ready_scenario(*request.scenario) : sim::random_scenario(*request.seed);
+  } catch (const std::invalid_argument& error) {
+    return Unexpected(usage_error(error.what()));
+  }
+  return scenario;
 }
 
-sim::DriveConfig drive_of(const SimulateRequest& request) {
-  const double speed_mps = request.speed_kmh / 3.6;
-  const double seconds = static_cast<double>(request.scans) / sensor::hdl32e().rate_hz;
-  sim::DriveConfig config = ready_drive(request.road, speed_mps * seconds);
-  config.course.speed_mps = speed_mps;
-  config.noise.seed = request.seed;
+Expected<sim::DriveConfig> drive_of(const SimulateRequest& request) {
+  auto scenario = scenario_of(request);
+  if (!scenario) return Unexpected(scenario.error());
+  sim::DriveConfig config;
+  config.scenario = *std::move(scenario);
+  if (request.speed_kmh) config.scenario.course.speed_mps = *request.speed_kmh / 3.6;
+  if (request.scenario && request.seed) {
+    config.scenario.ground.seed = static_cast<std::int64_t>(*request.seed % 1'000'000'007ULL);
+  }
+  config.noise.seed = request.seed.value_or(1);
   config.noise.range_sigma_m = request.noise_m;
+  try {
+    config.sensor = sim::sensor_named(request.sensor);
+  } catch (const std::invalid_argument& error) {
+    return Unexpected(usage_error(error.what()));
+  }
   return config;
 }
 
-Error cannot_write(const std::filesystem::path& path, std::string what) {
-  return {ErrorCode::kCannotWrite, path.string(), {}, std::move(what), {}, {}};
+/// The world of a configuration, or why it makes none.
+Expected<std::unique_ptr<sim::Drive>> make_drive(const SimulateRequest& request, sim::DriveConfig config) {
+  try {
+    return std::make_unique<sim::Drive>(std::move(config));
+  } catch (const std::invalid_argument& error) {
+    Error fault = usage_error(error.what());
+    fault.file = request.scenario.value_or("--seed");
+    return Unexpected(std::move(fault));
+  }
 }
 
-// The folder for the scans: new or empty, so that no scan of another drive stands among them.
-Expected<void> make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return Unexpected(cannot_write(folder, error.message()));
-  const bool empty = std::filesystem::is_empty(folder, error);
-  if (error) return Unexpected(cannot_write(folder, error.message()));
-  if (!empty) return Unexpected(cannot_write(folder, "holds files already; name a new or empty folder"));
-  return {};
+// How many scans are made: as many as were asked for, or as the way has, up to 120.
+Expected<std::size_t> scans_of(const SimulateRequest& request, const sim::Drive& drive) {
+  const auto way_m = drive.way_m();
+  if (!way_m) return request.scans.value_or(kUsualScans);
+  const double seconds = *way_m / drive.config().scenario.course.speed_mps;
+  const auto most = static_cast<std::size_t>(std::max(0.0, seconds * drive.config().sensor.rate_hz));
+  if (most == 0) return Unexpected(usage_error("the vehicle's way ends before the first scan is over"));
+  if (request.scans.value_or(0) <= most) return std::min(request.scans.value_or(kUsualScans), most);
+  Error fault = usage_error("the vehicle's way ends before the last scan");
+  fault.got = fmt::format("--scans {}", *request.scans);
+  fault.need = fmt::format("<= {}", most);
+  return Unexpected(std::move(fault));
 }
 
-/// One drive from its roads to its files.
-class SimulateJob {
- public:
-  SimulateJob(const SimulateRequest& request, Console& console, const Signals& signals)
-      : request_(request), console_(console), signals_(signals), drive_(drive_of(request)) {}
-
-  [[nodiscard]] Expected<void> run() {
-    const std::filesystem::path folder = request_.folder / "LIDAR_TOP";
-    if (auto made = make_folder(folder); !made) return made;
-    auto truth = emit::SceneWriter::open(request_.folder / "truth.jsonl");
-    if (!truth) return Unexpected(truth.error());
-    for (; done_ < request_.scans && !signals_.stop(); ++done_) {
-      sim::Simulated simulated = drive_.scan(done_);
-      const Scan scan = request_.skewed ? std::move(simulated.scan) : deskew(std::move(simulated.scan));
-      const auto file = folder / (scan.frame + ".pcd.bin");
-      if (auto written = io::write_nuscenes(file, scan); !written) return written;
-      if (auto written = truth->write(simulated.truth); !written) return written;
-      points_ += scan.size();
-      console_.progress(progress_line(done_ + 1, request_.scans, seconds()));
-    }
-    return truth->finish();
-  }
-
-  [[nodiscard]] std::string report() const {
-    return fmt::format("verge: {} scans with {} points in {:.1f} s: {}, with the truth in {}\n", done_,
-                       points_, seconds(), (request_.folder / "LIDAR_TOP").string(),
-                       (request_.folder / "truth.jsonl").string());
-  }
-
- private:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
-  const SimulateRequest& request_;
-  Console& console_;
-  const Signals& signals_;
-  sim::Drive drive_;
-  std::size_t done_ = 0;
-  std::size_t points_ = 0;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
+ExitCode failed(Console& console, const Error& error) {
+  console.error(error);
+  return exit_code_of(error.code);
+}
 
 ExitCode simulate(const SimulateRequest& request) {
   Console console(request.console);
   const Signals signals;
-  SimulateJob job(request, console, signals);
-  if (const auto done = job.run(); !done) {
-    console.error(done.error());
-    return exit_code_of(done.error().code);
+  if (request.folder.empty()) return failed(console, usage_error("name a new folder with -o DIR"));
+  auto config = drive_of(request);
+  if (!config) return failed(console, config.error());
+  const auto drive = make_drive(request, *std::move(config));
+  if (!drive) return failed(console, drive.error());
+  const auto scans = scans_of(request, **drive);
+  if (!scans) return failed(console, scans.error());
+  if (const auto done = write_drive(request, **drive, *scans, console, signals); !done) {
+    return failed(console, done.error());
   }
-  console.print(job.report());
   return signals.stop() ? signals.exit_code() : ExitCode::kOk;
 }
 
+std::string list_of_scenarios() {
+  std::size_t width = 0;
+  for (const sim::ReadyScenario& ready : sim::ready_scenarios()) width = std::max(width, ready.name.size());
+  std::string text;
+  for (const sim::ReadyScenario& ready : sim::ready_scenarios()) {
+    text += fmt::format("{:{}}  {}\n", ready.name, width, ready.about);
+  }
+  return text;
+}
+
+ExitCode dump(const SimulateRequest& request) {
+  const auto config = drive_of(request);
+  if (config) return print_data(to_toml(config->scenario));
+  print_error(config.error());
+  return exit_code_of(config.error().code);
+}
+
+ExitCode run(const SimulateRequest& request) {
+  if (request.list) return print_data(list_of_scenarios());
+  if (request.keys) return print_data(scenario_keys());
+  return request.dump ? dump(request) : simulate(request);
+}
+
+std::string sensor_names() {
+  std::vector<std::string_view> names;
+  for (const sim::SensorEntry& entry : sim::sensors()) names.push_back(entry.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void add_shows(CLI::App& verb, SimulateRequest& request) {
+  verb.add_flag("--list", request.list, "say which scenarios there are, and do nothing else");
+  verb.add_flag("--keys", request.keys, "say what can stand in a scenario file, and do nothing else");
+  verb.add_flag("--dump", request.dump, "print the scenario as a file, and do nothing else");
+}
+
 void add_options(CLI::App& verb, SimulateRequest& request) {
-  const std::map<std::string, RoadKind> roads{
-      {"straight", RoadKind::kStraight}, {"curve", RoadKind::kCurve}, {"drive", RoadKind::kDrive}};
-  verb.add_option("DIR", request.folder, "new folder for LIDAR_TOP/*.pcd.bin and truth.jsonl")->required();
-  verb.add_option("--road", request.road,
-                  "straight, curve, or drive: 60 m straight, then curves, with houses")
-      ->type_name("ROAD")
-      ->transform(CLI::CheckedTransformer(roads).description(""));
-  verb.add_option("--scans", request.scans, "how many, at 10 a second")
-      ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100'000));
-  verb.add_option("--seed", request.seed, "of the noise; the same seed gives the same bytes")
+  verb.add_option("SCENARIO", request.scenario, "name of a scenario, or a .toml file");
+  verb.add_option("-o,--output", request.folder,
+                  "new folder for LIDAR_TOP/*.pcd.bin, labels/*.label, truth.jsonl and scenario.toml")
+      ->type_name("DIR");
+  verb.add_option("--sensor", request.sensor, "what sees it: " + sensor_names())
       ->type_name("S")
-      ->capture_default_str()
+      ->capture_default_str();
+  verb.add_option("--scans", request.scans, "how many; else the vehicle's whole way, up to 120")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000));
+  verb.add_option(
+          "--seed", request.seed,
+          "of noise and bumps, and without a SCENARIO of the whole world; the same seed gives the same bytes")
+      ->type_name("N")
       ->check(finite_range(0.0, 0x1p64));
-  verb.add_option("--speed-kmh", request.speed_kmh, "of the vehicle")
+  verb.add_option("--speed-kmh", request.speed_kmh, "of the vehicle, instead of the scenario's")
       ->type_name("V")
-      ->capture_default_str()
       ->check(finite_range(0.0, 200.0));
   verb.add_option("--noise-m", request.noise_m, "deviation of the noise of each range")
       ->type_name("M")
@@ -162,17 +183,20 @@ void add_options(CLI::App& verb, SimulateRequest& request) {
   verb.add_flag(
       "--skewed", request.skewed,
       "points where the moving sensor saw them; without it the motion is taken out, as in nuScenes");
+  verb.add_option("--plot", request.plot, "also one bird's-eye picture a scan with its truth (PNG)")
+      ->type_name("FOLDER");
+  add_shows(verb, request);
   add_console_options(verb, request.console);
 }
 
 }  // namespace
 
 void add_simulate(CLI::App& program, Action& action) {
-  CLI::App* verb = program.add_subcommand("simulate", "drive a made-up road with an HDL-32E on the roof");
+  CLI::App* verb = program.add_subcommand("simulate", "drive through a made-up world, with its truth");
   const auto request = std::make_shared<SimulateRequest>();
   add_options(*verb, *request);
   verb->footer(std::string(kExamples) + "\n" + exit_code_help());
-  verb->callback([request, &action] { action = [request] { return simulate(*request); }; });
+  verb->callback([request, &action] { action = [request] { return run(*request); }; });
 }
 
 }  // namespace verge::app

@@ -35,31 +35,9 @@ std::optional<std::string> objection(std::string_view section, const std::vector
   }
 }
 
-std::string_view name_of(TomlKind kind) {
-  constexpr std::array<std::string_view, 5> kNames{"text", "a whole number", "a number", "true or false",
-                                                   "a list, table or date"};
-  return kNames.at(static_cast<std::size_t>(kind));
-}
-
-/// Whether a TOML value of this kind may stand for the field.
-bool fits(TomlKind kind, FieldType type) {
-  switch (type) {
-    case FieldType::kSwitch:
-      return kind == TomlKind::kSwitch;
-    case FieldType::kWhole:
-      return kind == TomlKind::kWhole;
-    case FieldType::kNumber:
-      return kind == TomlKind::kWhole || kind == TomlKind::kNumber;
-    case FieldType::kChoice:
-      return kind == TomlKind::kText;
-  }
-  return false;
-}
-
 std::optional<std::string> kind_objection(const TomlEntry& entry) {
   for (const FieldRow& row : section_rows(entry.section)) {
-    if (row.info.name != entry.key || fits(entry.kind, row.type)) continue;
-    return fmt::format("{}: {} does not fit (need {})", entry.key, name_of(entry.kind), range_of(row));
+    if (row.info.name == entry.key) return kind_misfit(entry, row);
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #include "apps/verge/toml_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -73,36 +74,103 @@ void sort_as_written(std::vector<TomlEntry>& entries, const std::vector<toml::so
   entries = std::move(sorted);
 }
 
-std::vector<TomlEntry> entries_of(const toml::table& root) {
-  std::vector<TomlEntry> entries;
-  std::vector<toml::source_position> begins;
-  const auto add = [&](std::string_view section, const toml::key& key, const toml::node& value) {
-    entries.push_back(entry_of(section, key, value));
-    begins.push_back(key.source().begin);
-  };
-  for (const auto& [name, value] : root) {
-    const toml::table* section = value.as_table();
-    if (section == nullptr) {
-      add({}, name, value);
-      continue;
+/// Collects the keys of a file, those of its tables, and, with `lists`, of its lists of tables.
+class Collector {
+ public:
+  explicit Collector(bool lists) : lists_(lists) {}
+
+  [[nodiscard]] std::vector<TomlEntry> entries_of(const toml::table& root) {
+    for (const auto& [name, value] : root) {
+      const toml::table* section = value.as_table();
+      const toml::array* list = list_of_tables(value);
+      if (list != nullptr) {
+        add_list(std::string(name.str()), *list);
+      } else if (section == nullptr) {
+        add({}, name, value);
+      } else {
+        add(name.str(), toml::key(std::string_view(), name.source()), value);
+        add_keys(std::string(name.str()), *section);
+      }
     }
-    add(name.str(), toml::key(std::string_view(), name.source()), value);
-    for (const auto& [key, item] : *section) add(name.str(), key, item);
+    sort_as_written(entries_, begins_);
+    return std::move(entries_);
   }
-  sort_as_written(entries, begins);
-  return entries;
+
+ private:
+  [[nodiscard]] const toml::array* list_of_tables(const toml::node& value) const {
+    const toml::array* list = lists_ ? value.as_array() : nullptr;
+    return list != nullptr && list->is_array_of_tables() ? list : nullptr;
+  }
+
+  void add(std::string_view section, const toml::key& key, const toml::node& value) {
+    entries_.push_back(entry_of(section, key, value));
+    begins_.push_back(key.source().begin);
+  }
+
+  void add_keys(const std::string& section, const toml::table& table) {
+    for (const auto& [key, item] : table) {
+      if (const toml::array* list = list_of_tables(item)) {
+        add_list(section + "." + std::string(key.str()), *list);
+      } else {
+        add(section, key, item);
+      }
+    }
+  }
+
+  void add_list(const std::string& section, const toml::array& list) {
+    for (const toml::node& element : list) {
+      add(section, toml::key(std::string_view(), element.source()), element);
+      add_keys(section, *element.as_table());
+    }
+  }
+
+  bool lists_;
+  std::vector<TomlEntry> entries_;
+  std::vector<toml::source_position> begins_;
+};
+
+std::string_view name_of(TomlKind kind) {
+  constexpr std::array<std::string_view, 5> kNames{"text", "a whole number", "a number", "true or false",
+                                                   "a list, table or date"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
+/// Whether a TOML value of this kind may stand for the field.
+bool fits(TomlKind kind, FieldType type) {
+  switch (type) {
+    case FieldType::kSwitch:
+      return kind == TomlKind::kSwitch;
+    case FieldType::kWhole:
+      return kind == TomlKind::kWhole;
+    case FieldType::kNumber:
+      return kind == TomlKind::kWhole || kind == TomlKind::kNumber;
+    case FieldType::kChoice:
+      return kind == TomlKind::kText;
+  }
+  return false;
+}
+
+Expected<std::vector<TomlEntry>> read(const std::filesystem::path& file, bool lists) {
+  const auto text = text_of(file);
+  if (!text) return Unexpected(text.error());
+  try {
+    return Collector(lists).entries_of(toml::parse(*text, file.string()));
+  } catch (const toml::parse_error& error) {
+    return Unexpected(usage_error(file, place(error.source()), std::string(error.description())));
+  }
 }
 
 }  // namespace
 
-Expected<std::vector<TomlEntry>> read_toml(const std::filesystem::path& file) {
-  const auto text = text_of(file);
-  if (!text) return Unexpected(text.error());
-  try {
-    return entries_of(toml::parse(*text, file.string()));
-  } catch (const toml::parse_error& error) {
-    return Unexpected(usage_error(file, place(error.source()), std::string(error.description())));
-  }
+Expected<std::vector<TomlEntry>> read_toml(const std::filesystem::path& file) { return read(file, false); }
+
+Expected<std::vector<TomlEntry>> read_toml_lists(const std::filesystem::path& file) {
+  return read(file, true);
+}
+
+std::optional<std::string> kind_misfit(const TomlEntry& entry, const FieldRow& row) {
+  if (fits(entry.kind, row.type)) return std::nullopt;
+  return fmt::format("{}: {} does not fit (need {})", entry.key, name_of(entry.kind), range_of(row));
 }
 
 }  // namespace verge::app

@@ -12,11 +12,14 @@
 #include "verge/io/source.hpp"
 #include "verge/scan/test_clouds.hpp"
 #include "verge/sim/drive.hpp"
+#include "verge/sim/ready.hpp"
 
 namespace verge::laws {
 namespace {
 
-Subject simulated(const std::string& name, const sim::DriveConfig& config, std::uint64_t index) {
+Subject simulated(const std::string& name, const sim::Scenario& scenario, std::uint64_t index) {
+  sim::DriveConfig config;
+  config.scenario = scenario;
   return {name, flatten(deskew(sim::Drive(config).scan(index).scan))};
 }
 
@@ -56,11 +59,12 @@ double distance_to_side(const Scene& scene, Side side, Vec2 p) {
 }  // namespace
 
 std::vector<Subject> simulated_subjects() {
-  sim::DriveConfig crabwise = sim::straight_road();
-  crabwise.course.heading_offset_rad = 0.08;
+  sim::Scenario crabwise = sim::ready_scenario("straight");
+  crabwise.course.crab_deg = 4.6;
   crabwise.course.lateral_m = -1.5;
-  return {simulated("straight", sim::straight_road(), 0), simulated("crabwise", crabwise, 0),
-          simulated("curve", sim::curved_road(), 0), simulated("street", sim::demo_drive(), 20)};
+  return {simulated("straight", sim::ready_scenario("straight"), 0), simulated("crabwise", crabwise, 0),
+          simulated("curve", sim::ready_scenario("curve"), 0),
+          simulated("street", sim::ready_scenario("street"), 20)};
 }
 
 std::vector<Subject> real_subjects(const std::filesystem::path& data, std::size_t count) {

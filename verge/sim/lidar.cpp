@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/sim/lidar.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -22,7 +23,7 @@ namespace {
 struct Return {
   Vec3 p_sensor;
   float intensity = 0.0F;
-  Surface surface = Surface::kGround;
+  std::uint32_t label = 0;
 };
 
 /// Firings [begin, end) counted from the start of the drive.
@@ -69,21 +70,12 @@ Vec3 direction_of(double azimuth_rad, double elevation_rad) {
   return {level * std::cos(azimuth_rad), level * std::sin(azimuth_rad), std::sin(elevation_rad)};
 }
 
-// Calibrated reflectivity in per cent of dry, clean surfaces: asphalt, concrete, paving, grass, plaster.
+// Calibrated reflectivity in per cent of dry, clean surfaces: asphalt, concrete, paving, grass, plaster,
+// galvanised steel, leaves, paint, clothes, orange plastic.
 float reflectivity(Surface surface) {
-  switch (surface) {
-    case Surface::kRoad:
-      return 12.0F;
-    case Surface::kCurb:
-      return 35.0F;
-    case Surface::kSidewalk:
-      return 28.0F;
-    case Surface::kGround:
-      return 45.0F;
-    case Surface::kWall:
-      return 60.0F;
-  }
-  return 0.0F;
+  static constexpr std::array<float, enum_names<Surface>.size()> kPercent = {
+      12.0F, 35.0F, 28.0F, 45.0F, 60.0F, 55.0F, 50.0F, 40.0F, 30.0F, 70.0F};
+  return kPercent.at(static_cast<std::size_t>(surface));
 }
 
 bool is_lost(double distance, const sensor::BeamModel& model, const NoiseConfig& noise, const RayKey& key) {
@@ -103,7 +95,7 @@ std::optional<double> measured_range(double distance, const sensor::BeamModel& m
   return range;
 }
 
-/// What one shot needs to know.
+/// What the shots of a revolution need to know.
 struct Shooter {
   const Caster& world;
   const sensor::BeamModel& model;
@@ -111,30 +103,40 @@ struct Shooter {
   const NoiseConfig& noise;
   std::uint64_t index;
 
-  [[nodiscard]] std::optional<Return> shoot(std::int64_t time_ns, double elevation_rad,
-                                            std::uint64_t ray) const {
-    const Vec3 direction = direction_of(azimuth_at(model, time_ns), elevation_rad);
-    const Pose T_world_sensor = T_world_sensor_at(time_ns);
-    const auto hit = world.cast(T_world_sensor.translation, rotate(T_world_sensor.rotation, direction));
-    if (!hit) return std::nullopt;
-    const auto range = measured_range(hit->distance_m, model, noise, {noise.seed, index, ray});
+  [[nodiscard]] std::optional<Return> measure(const Hit& hit, Vec3 direction, std::uint64_t ray) const {
+    const auto range = measured_range(hit.distance_m, model, noise, {noise.seed, index, ray});
     if (!range) return std::nullopt;
-    return Return{*range * direction, reflectivity(hit->surface), hit->surface};
+    return Return{*range * direction, reflectivity(hit.surface), label_of(hit.surface, hit.object)};
+  }
+
+  // Every laser once, each from where the sensor stands at its own time.
+  void fire(std::int64_t start_ns, std::uint64_t first_ray, std::optional<Return>* returns) const {
+    const std::size_t count = model.lasers.size();
+    std::vector<Vec3> directions(count);
+    std::vector<Ray> rays(count);
+    std::vector<std::optional<Hit>> hits(count);
+    for (std::size_t j = 0; j < count; ++j) {
+      const std::int64_t time_ns = start_ns + model.lasers[j].time_ns;
+      directions[j] = direction_of(azimuth_at(model, time_ns), model.lasers[j].elevation_rad);
+      const Pose T_world_sensor = T_world_sensor_at(time_ns);
+      rays[j] = {T_world_sensor.translation, rotate(T_world_sensor.rotation, directions[j])};
+    }
+    world.cast(rays, hits);
+    for (std::size_t j = 0; j < count; ++j) {
+      if (hits[j]) returns[j] = measure(*hits[j], directions[j], first_ray + j);
+    }
   }
 };
 
 // One slot a shot, in the order of firing; each thread fills its own slots.
 std::vector<std::optional<Return>> shoot_all(const Shooter& shooter, Firings firings) {
-  const std::vector<sensor::Laser>& lasers = shooter.model.lasers;
+  const std::size_t lasers = shooter.model.lasers.size();
   const auto count = static_cast<std::size_t>(firings.end - firings.begin);
-  std::vector<std::optional<Return>> returns(count * lasers.size());
+  std::vector<std::optional<Return>> returns(count * lasers);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t firing) {
     const std::int64_t start_ns =
         (firings.begin + static_cast<std::int64_t>(firing)) * shooter.model.firing_period_ns;
-    for (std::size_t j = 0; j < lasers.size(); ++j) {
-      const std::size_t ray = firing * lasers.size() + j;
-      returns[ray] = shooter.shoot(start_ns + lasers[j].time_ns, lasers[j].elevation_rad, ray);
-    }
+    shooter.fire(start_ns, firing * lasers, returns.data() + firing * lasers);
   });
   return returns;
 }
@@ -158,7 +160,7 @@ TimedCloud collect(const std::vector<std::optional<Return>>& returns, const sens
     out.cloud.z.push_back(static_cast<float>(hit->p_sensor.z));
     out.cloud.intensity.push_back(hit->intensity);
     out.cloud.ring.push_back(static_cast<std::int64_t>(rings[laser]));
-    out.cloud.label.push_back(static_cast<std::uint32_t>(hit->surface));
+    out.cloud.label.push_back(hit->label);
     out.time_offset_ns.push_back(
         static_cast<std::uint32_t>(firing * model.firing_period_ns + model.lasers[laser].time_ns));
   }
@@ -173,6 +175,10 @@ Scan to_scan(TimedCloud timed) {
 }
 
 }  // namespace
+
+std::uint32_t label_of(Surface surface, std::uint32_t object) {
+  return (object << 16U) | static_cast<std::uint32_t>(surface);
+}
 
 Scan simulate_revolution(const Caster& world, const sensor::BeamModel& model,
                          const Trajectory& T_world_sensor_at, std::uint64_t index, const NoiseConfig& noise) {

@@ -16,7 +16,7 @@ struct RayKey {
 };
 
 /// The purposes for which a ray draws numbers; each has its own stream.
-enum class Draw : std::uint64_t { kRangeNoise, kDropout };
+enum class Draw : std::uint64_t { kRangeNoise, kDropout, kBumps, kScenario };
 
 /// 64 random bits of the key.
 [[nodiscard]] std::uint64_t random_bits(const RayKey& key, Draw draw, std::uint64_t index = 0);

@@ -2,95 +2,301 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <array>
+#include <cstdint>
+#include <string_view>
 #include <vector>
 
+#include "verge/core/fields.hpp"
 #include "verge/core/vec.hpp"
-#include "verge/model/scene.hpp"
-#include "verge/sim/world.hpp"
+#include "verge/sim/center_line.hpp"
+#include "verge/sim/thing.hpp"
 
 namespace verge::sim {
 
-/// A stretch of the road's centre line with one curvature.
-struct Piece {
-  double length_m = 0.0;
-  double curvature_1pm = 0.0;  ///< 1 / radius; positive turns left, 0 is straight.
+/// Left or right of a road, looking along it.
+enum class RoadSide : std::uint8_t { kLeft, kRight };
+
+/// What bounds a carriageway.
+enum class Edge : std::uint8_t {
+  kKerb,   ///< A step up to a sidewalk.
+  kFlush,  ///< A sidewalk at the same height: a painted edge.
+  kGrass,  ///< Ground that falls away slowly.
+  kDitch,  ///< A shoulder of 1 m and a ditch 0.6 m deep.
+  kWall,   ///< A wall.
 };
 
-/// Blocks behind both sidewalks, in a row with gaps.
-struct Houses {
-  double setback_m = 1.0;  ///< From the sidewalk's outer edge to the wall.
-  double length_m = 10.0;  ///< Along the road.
-  double gap_m = 4.0;      ///< Between two houses.
-  double depth_m = 6.0;
-  double height_m = 6.0;
+/// The section of a kerb's face.
+enum class KerbFace : std::uint8_t {
+  kVertical,
+  kSloped,  ///< As wide as 0.6 of its height.
+  kWorn,    ///< Rounded: as wide as half of its height.
 };
 
-/// A road between two kerbs. Its crown lies on the centre line at height 0; the carriageway falls to both
-/// sides; the sidewalk rises outward by the same slope; behind it a verge falls to the flat ground.
-struct RoadConfig {
-  std::vector<Piece> pieces = {{200.0, 0.0}};
-  double width_m = 8.0;           ///< From kerb to kerb.
-  double cross_fall = 0.02;       ///< Fall for each metre sideways.
-  double curb_height_m = 0.12;    ///< Of the vertical face; 0 = no kerb.
-  double sidewalk_width_m = 2.0;  ///< 0 = none.
-  std::optional<Houses> houses;
+}  // namespace verge::sim
+
+namespace verge {
+template <>
+inline constexpr std::array enum_names<sim::RoadSide> = std::to_array<std::string_view>({"left", "right"});
+template <>
+inline constexpr std::array enum_names<sim::Edge> =
+    std::to_array<std::string_view>({"kerb", "flush", "grass", "ditch", "wall"});
+template <>
+inline constexpr std::array enum_names<sim::KerbFace> =
+    std::to_array<std::string_view>({"vertical", "sloped", "worn"});
+}  // namespace verge
+
+namespace verge::sim {
+
+/// A width at a station; between two of them it changes evenly.
+struct WidthAt {
+  double at_m = 0.0;
+  double width_m = 8.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.at_m, {"at_m", "m", 0.0, 1e4, "station along the road", "ours"});
+    visit(self.width_m,
+          {"width_m", "m", 1.0, 40.0,
+           "width there; it changes evenly from the one before, at first from the road's own", "ours"});
+  }
 };
 
-/// A place on the centre line.
-struct Station {
-  Vec2 position;
-  double heading_rad = 0.0;  ///< Of the road, from +x counter-clockwise.
-};
-
-/// A vertex of the road's section; lateral is measured from the centre line to the left.
-struct SectionPoint {
-  double lateral_m = 0.0;
+/// A height at a station; between two of them the road climbs evenly.
+struct HeightAt {
+  double at_m = 0.0;
   double height_m = 0.0;
-  Surface outward = Surface::kGround;  ///< Surface from here to the next vertex outward.
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.at_m, {"at_m", "m", 0.0, 1e4, "station along the road", "ours"});
+    visit(self.height_m,
+          {"height_m", "m", -200.0, 200.0, "height of the road there; even slopes between, rounded", "ours"});
+  }
 };
 
-/// The road as geometry, without a mesh. World frame: station 0 at the origin, heading +x, z up. Beyond its
-/// ends the centre line goes on straight.
+/// A stretch of lowered kerb.
+struct Gap {
+  RoadSide side = RoadSide::kRight;
+  double at_m = 0.0;
+  double width_m = 2.0;
+  double height_m = 0.0;
+  double ramp_m = 0.3;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.side, {"side", "", 0, 0, "side of the road", "ours"});
+    visit(self.at_m, {"at_m", "m", 0.0, 1e4, "station of its middle", "ours"});
+    visit(self.width_m, {"width_m", "m", 0.2, 50.0, "width at the lowered height", "ours"});
+    visit(self.height_m, {"height_m", "m", 0.0, 0.2, "height of the lowered kerb; 0 = a gap", "ours"});
+    visit(self.ramp_m, {"ramp_m", "m", 0.05, 5.0, "length of the ramp to each side of it", "ours"});
+  }
+};
+
+/// A stretch where the carriageway is wider on one side.
+struct Bay {
+  RoadSide side = RoadSide::kRight;
+  double at_m = 0.0;
+  double length_m = 20.0;
+  double depth_m = 2.0;
+  double taper_m = 1.5;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.side, {"side", "", 0, 0, "side of the road", "ours"});
+    visit(self.at_m, {"at_m", "m", 0.0, 1e4, "station where it begins", "ours"});
+    visit(self.length_m, {"length_m", "m", 1.0, 500.0, "length at full depth", "ours"});
+    visit(self.depth_m, {"depth_m", "m", 0.2, 10.0, "how much wider the carriageway is", "ours"});
+    visit(self.taper_m, {"taper_m", "m", 0.1, 30.0, "length over which it widens, at both ends", "ours"});
+  }
+};
+
+/// A kerbed island in the carriageway, with round ends.
+struct Island {
+  double at_m = 0.0;
+  double lateral_m = 0.0;
+  double length_m = 8.0;
+  double width_m = 1.6;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.at_m, {"at_m", "m", 0.0, 1e4, "station where it begins", "ours"});
+    visit(self.lateral_m, {"lateral_m", "m", -20.0, 20.0, "its middle, left of the centre line", "ours"});
+    visit(self.length_m, {"length_m", "m", 1.0, 200.0, "length", "ours"});
+    visit(self.width_m, {"width_m", "m", 0.4, 20.0, "width; not more than the length", "ours"});
+  }
+};
+
+/// Things in a row along a road, all alike. A mouth of a branch stays free.
+struct Row {
+  Thing what = Thing::kCar;
+  RoadSide side = RoadSide::kRight;
+  double from_m = 0.0;
+  double to_m = 1e4;
+  double beside_m = 0.5;
+  double gap_m = 1.5;
+  double length_m = 0.0;
+  double width_m = 0.0;
+  double height_m = 0.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.what, {"what", "", 0, 0, "what stands there", "ours"});
+    visit(self.side, {"side", "", 0, 0, "side of the road", "ours"});
+    visit(self.from_m, {"from_m", "m", 0.0, 1e4, "station where the row begins", "ours"});
+    visit(self.to_m, {"to_m", "m", 0.0, 1e4, "station where it ends; at most the road's end", "ours"});
+    visit(self.beside_m,
+          {"beside_m", "m", -20.0, 100.0,
+           "from the edge of the carriageway outward to the nearer side of the row; negative: on "
+           "the carriageway",
+           "ours"});
+    visit(self.gap_m, {"gap_m", "m", 0.0, 500.0, "from one to the next; of no use for walls, rails, hedges",
+                       "paper 1: gaps between parked cars"});
+    visit(self.length_m, {"length_m", "m", 0.0, 50.0, "length of each; 0 = usual", "ours"});
+    visit(self.width_m, {"width_m", "m", 0.0, 50.0, "width; 0 = usual", "ours"});
+    visit(self.height_m, {"height_m", "m", 0.0, 50.0, "height; 0 = usual", "ours"});
+  }
+};
+
+/// One thing on a road or beside it, at rest or moving.
+struct Item {
+  Thing what = Thing::kCar;
+  double at_m = 0.0;
+  double lateral_m = 0.0;
+  double yaw_deg = 0.0;
+  double speed_mps = 0.0;
+  double across_mps = 0.0;
+  double length_m = 0.0;
+  double width_m = 0.0;
+  double height_m = 0.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.what, {"what", "", 0, 0, "what it is; not a wall, guard_rail or hedge", "ours"});
+    visit(self.at_m, {"at_m", "m", 0.0, 1e4, "station of its middle at the start", "ours"});
+    visit(self.lateral_m,
+          {"lateral_m", "m", -100.0, 100.0, "its middle then, left of the centre line", "ours"});
+    visit(self.yaw_deg,
+          {"yaw_deg", "deg", -360.0, 360.0, "turn of its length from the road's direction", "ours"});
+    visit(self.speed_mps, {"speed_mps", "m/s", -60.0, 60.0,
+                           "how fast it moves along the road; negative: against it", "ours"});
+    visit(self.across_mps, {"across_mps", "m/s", -20.0, 20.0, "how fast it moves to the left", "ours"});
+    visit(self.length_m, {"length_m", "m", 0.0, 50.0, "length; 0 = usual", "ours"});
+    visit(self.width_m, {"width_m", "m", 0.0, 50.0, "width; 0 = usual", "ours"});
+    visit(self.height_m, {"height_m", "m", 0.0, 50.0, "height; 0 = usual", "ours"});
+  }
+};
+
+/// A road: where it runs, how wide it is, and what bounds it. A road that stands by itself begins at a place
+/// of the plane; a branch begins on the centre line of a road before it in the list, and kerb returns join
+/// the edges of both.
+struct RoadConfig {
+  std::int64_t branch_of = 0;
+  double at_m = 0.0;
+  RoadSide side = RoadSide::kRight;
+  double angle_deg = 90.0;
+  double radius_m = 3.0;
+  bool driveway = false;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double heading_deg = 0.0;
+  bool closed = false;
+  bool dead_end = false;
+  double width_m = 8.0;
+  Edge left = Edge::kKerb;
+  Edge right = Edge::kKerb;
+  double kerb_m = 0.12;
+  KerbFace face = KerbFace::kVertical;
+  double sidewalk_m = 2.0;
+  double wall_m = 2.5;
+  double vertical_curve_m = 20.0;
+  std::vector<Piece> pieces{};
+  std::vector<WidthAt> widths{};
+  std::vector<HeightAt> heights{};
+  std::vector<Gap> gaps{};
+  std::vector<Bay> bays{};
+  std::vector<Island> islands{};
+  std::vector<Row> rows{};
+  std::vector<Item> items{};
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.branch_of,
+          {"branch_of", "1", 0, 1000,
+           "number of the road that it branches off, 1 is the first; 0 = stands by itself", "ours"});
+    visit(self.at_m, {"at_m", "m", 0.0, 1e4, "of a branch: station on the other road's centre line", "ours"});
+    visit(self.side, {"side", "", 0, 0, "of a branch: side of the other road", "ours"});
+    visit(self.angle_deg, {"angle_deg", "deg", 30.0, 150.0,
+                           "of a branch: turn from the other road's direction to its own", "ours"});
+    visit(self.radius_m, {"radius_m", "m", 0.05, 50.0, "of a branch: radius of its kerb returns", "paper 1"});
+    visit(self.driveway, {"driveway", "", 0, 0,
+                          "of a branch: no road to turn into, so an opening but neither corner nor junction",
+                          "paper 1: false corners"});
+    visit(self.x_m, {"x_m", "m", -2000.0, 2000.0, "where a road by itself begins, east", "ours"});
+    visit(self.y_m, {"y_m", "m", -2000.0, 2000.0, "where a road by itself begins, north", "ours"});
+    visit(self.heading_deg,
+          {"heading_deg", "deg", -360.0, 360.0,
+           "direction in which a road by itself begins, from east counter-clockwise", "ours"});
+    visit(self.closed, {"closed", "", 0, 0, "it comes back to its start: a loop", "ours"});
+    visit(self.dead_end, {"dead_end", "", 0, 0, "its edge goes round its end; else it ends open", "ours"});
+    visit(self.width_m, {"width_m", "m", 1.0, 40.0, "from edge to edge", "paper 1: 4-5, paper 3: 6 and 13"});
+    visit(self.left, {"left", "", 0, 0, "what bounds it on the left", "ours"});
+    visit(self.right, {"right", "", 0, 0, "what bounds it on the right", "ours"});
+    visit(self.kerb_m, {"kerb_m", "m", 0.0, 0.3, "height of its kerbs", "paper 1: 0.12-0.15"});
+    visit(self.face, {"face", "", 0, 0, "section of its kerbs' faces", "ours"});
+    visit(self.sidewalk_m, {"sidewalk_m", "m", 0.0, 20.0, "width of its sidewalks", "ours"});
+    visit(self.wall_m, {"wall_m", "m", 0.1, 20.0, "height of its walls, where a wall bounds it", "ours"});
+    visit(self.vertical_curve_m, {"vertical_curve_m", "m", 0.0, 500.0,
+                                  "length over which one slope of its heights turns into the next", "ours"});
+  }
+};
+
+/// A place on an edge of a road.
+struct EdgePoint {
+  Vec2 position;
+  Vec2 outward;  ///< Unit normal away from the carriageway.
+};
+
+/// A road as geometry. Stations are counted along its centre line from its start.
 class Road {
  public:
-  /// Throws std::invalid_argument where a length, width, height or slope makes no road, or where a curve is
-  /// so tight that the inner side would fold over.
-  explicit Road(RoadConfig config);
+  /// `start` is where its centre line begins. Throws std::invalid_argument where the line makes no sense, or
+  /// a curve is tighter than the road is wide.
+  Road(RoadConfig config, const Station& start);
 
   [[nodiscard]] const RoadConfig& config() const { return config_; }
-  [[nodiscard]] double length_m() const { return length_m_; }
+  [[nodiscard]] const CenterLine& line() const { return line_; }
+  [[nodiscard]] double length_m() const { return line_.length_m(); }
 
-  /// The centre line at `station` metres from its start.
-  [[nodiscard]] Station at(double station) const;
+  /// Half the width without bays.
+  [[nodiscard]] double half_width(double station_m) const;
+  /// Distance of the edge from the centre line, bays included.
+  [[nodiscard]] double edge_offset(RoadSide side, double station_m) const;
+  [[nodiscard]] EdgePoint edge_point(RoadSide side, double station_m) const;
+  [[nodiscard]] Edge edge(RoadSide side) const {
+    return side == RoadSide::kLeft ? config_.left : config_.right;
+  }
+  /// Height of the step at the edge: of kerb or wall, lowered in gaps; 0 without.
+  [[nodiscard]] double step_height(RoadSide side, double station_m) const;
+  /// Stations where that edge has a corner or its height one, in order.
+  [[nodiscard]] std::vector<double> breaks(RoadSide side) const;
 
-  /// Whether all of the centre line from station `from` to station `to` is straight.
-  [[nodiscard]] bool is_straight(double from, double to) const;
-
-  /// Height of the surface at `lateral` metres to the left of the centre line; on the kerb's face the foot's.
-  [[nodiscard]] double height_at(double lateral) const;
-
-  /// The point of the surface at (station, lateral).
-  [[nodiscard]] Vec3 point(double station, double lateral) const;
-
-  /// The left half of the section from the centre line outward; the right half is its mirror image.
-  [[nodiscard]] const std::vector<SectionPoint>& section() const { return section_; }
-
-  /// Foot of the kerb on the road's side from station 0 to the end, one vertex every `step_m` of the centre
-  /// line and one at the end. `side` is kLeft or kRight.
-  [[nodiscard]] std::vector<Vec3> curb_foot(Side side, double step_m = 0.1) const;
+  /// Height of the centre line over that of the world's origin.
+  [[nodiscard]] double profile(double station_m) const;
 
  private:
-  struct Joint {  // where a piece begins
-    double station = 0.0;
-    Station place;
-    double curvature_1pm = 0.0;
-  };
+  [[nodiscard]] double profile_area(double station_m) const;
 
   RoadConfig config_;
-  double length_m_ = 0.0;
-  std::vector<Joint> joints_;  // one a piece, and one at the end
-  std::vector<SectionPoint> section_;
+  CenterLine line_;
 };
+
+/// +1 for left, -1 for right.
+[[nodiscard]] double sign_of(RoadSide side);
+[[nodiscard]] RoadSide opposite(RoadSide side);
+
+/// The roads of a list, each where it begins. Throws std::invalid_argument with the number of the road that
+/// makes no sense.
+[[nodiscard]] std::vector<Road> make_roads(const std::vector<RoadConfig>& configs);
 
 }  // namespace verge::sim
