@@ -4,6 +4,7 @@
 
 import json
 import os
+import pathlib
 import signal
 import time
 import unittest
@@ -114,7 +115,8 @@ length_m = 30
         self.assertEqual([corner["side"] for corner in scene["corners"]], ["left"])
         self.assertAlmostEqual(scene["corners"][0]["distance_m"], 35.5 - 4.0 - 3.0 - 20.0, delta=0.01)
         self.assertEqual(scene["junctions"][0]["type"], "left")
-        self.assertEqual(scene["boundaries"][0]["height_m"][0], 0.05)
+        right = next(boundary for boundary in scene["boundaries"] if boundary["side"] == "right")
+        self.assertEqual(set(right["height_m"]), {0.05})
 
     def test_faults_of_a_file_are_told_with_their_place(self):
         road = "[[road]]\n[[road.piece]]\nlength_m = 60\n"
@@ -148,7 +150,12 @@ length_m = 30
                         "[[road.width]]", "[[road.height]]", "[[road.gap]]", "[[road.bay]]", "[[road.island]]",
                         "[[road.row]]", "[[road.thing]]"):
             self.assertIn(f"\n{section}\n", "\n" + text)
-        self.assertRegex(text, r"(?m)^curvature_1pm +0 +1/m +-1 to 1 +1 / radius")
+        self.assertRegex(text, r"(?m)^curvature_1pm +0\.0 +1/m +-1 to 1 +1 / radius")
+
+    def test_the_documentation_says_the_keys_that_there_are(self):
+        page = pathlib.Path(__file__).resolve().parents[2] / "docs" / "scenarios.md"
+        keys = run("simulate", "--keys").stdout.decode()
+        self.assertIn(f"```text\n{keys}```\n", page.read_text(encoding="utf-8"))
 
     def test_a_folder_that_holds_scans_is_left_alone(self):
         before = self.simulate("drive")
