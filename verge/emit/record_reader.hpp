@@ -106,16 +106,15 @@ class RecordReader {
     return {xy[0], xy[1]};
   }
 
-  /// [x, y] or [x, y, z]; z is 0 where it is missing.
+  /// [x, y] or [x, y, z, ...]; z is 0 where it is missing, and what stands behind it is not looked at.
   [[nodiscard]] Vec3 point(const nlohmann::json& value, const Place& place) {
     if (!expect(value.is_array(), value, place, "an array")) return {};
-    if (value.size() != 2 && value.size() != 3) {
+    if (value.size() < 2) {
       fail(place, "a point of the wrong length", fmt::format("{} numbers", value.size()), "2 or 3");
       return {};
     }
-    std::vector<double> xyz;
-    each(value, place, [&](const nlohmann::json& v, const Place& at) { xyz.push_back(number(v, at)); });
-    return {xyz[0], xyz[1], xyz.size() == 3 ? xyz[2] : 0.0};
+    const auto coordinate = [&](std::size_t i) { return number(value[i], Place{&place, i}); };
+    return {coordinate(0), coordinate(1), value.size() > 2 ? coordinate(2) : 0.0};
   }
 
   [[nodiscard]] double share(const nlohmann::json& value, const Place& place) {

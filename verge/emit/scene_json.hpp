@@ -21,12 +21,12 @@ namespace verge::emit {
 /// A number that is not finite is the caller's bug (assert).
 [[nodiscard]] std::string to_json_line(const Scene& scene);
 
-/// A scene from a line of JSON: to_json_line's own, or another program's. Needed are only "frame" (text) and
-/// either "boundaries", each with its "points" as [x, y] or [x, y, z], or bare "points" that belong to no
-/// line: each of those becomes a boundary of one point. "points" wins where both are there. Absent or null
-/// are: z and the rest as in a default Boundary, confidence 1. The other parts of a Scene may be missing; an
-/// opening needs its ends, a corner its position, a junction its center, an object its center and size.
-/// Unknown keys are skipped; of a key that stands twice the last counts.
+/// A scene from a line of JSON: to_json_line's own, or another program's. Needed are only "frame" (text, or a
+/// whole number) and either "boundaries", each with its "points" as [x, y] or [x, y, z, ...], or bare
+/// "points" that belong to no line: each of those becomes a boundary of one point. "points" wins where both
+/// are there. Absent or null are: z and the rest as in a default Boundary, confidence 1. The other parts of a
+/// Scene may be missing; an opening needs its ends, a corner its position, a junction its center, an object
+/// its center and size. Unknown keys are skipped; of a key that stands twice the last counts.
 ///
 /// Fails with kUnusable, and `where` = "LINE:COLUMN" with the column in bytes, counted from 1: where the bad
 /// value begins, or the last byte read where the text is not JSON. Also bad: a schema other than 1, an

@@ -160,6 +160,12 @@ TEST(ParseScene, BarePointsBelongToNoLine) {
   EXPECT_EQ(scene.boundaries[1].points, (std::vector<Vec3>{{4.0, 5.0, 0.0}}));
 }
 
+TEST(ParseScene, AFrameMayBeANumberAndAPointMaySayMoreThanItsPlace) {
+  const Scene scene = parse_scene(R"({"frame":12,"points":[[1,2,3,"intensity"]]})").value();
+  EXPECT_EQ(scene.frame, "12");
+  EXPECT_EQ(scene.boundaries.at(0).points, (std::vector<Vec3>{{1.0, 2.0, 3.0}}));
+}
+
 TEST(ParseScene, AnOpeningWithoutAWidthHasThatOfItsEnds) {
   const Scene scene = parse_scene(R"({"frame":"7","points":[],"openings":[{"ends":[[0,0],[3,4]]}]})").value();
   EXPECT_EQ(scene.openings.at(0).width_m, 5.0);
@@ -198,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadLine{"[]", "", "got array, need an object"}, BadLine{R"({"points":[]})", "", "without a frame"},
         BadLine{R"({"frame":null,"points":[]})", "", "without a frame"},
         BadLine{R"({"frame":"1"})", "", "without boundaries"},
-        BadLine{R"({"frame": 1,"points":[]})", R"({"frame": )", "got number, need a string"},
+        BadLine{R"({"frame": 1.5,"points":[]})", R"({"frame": )", "got number, need a string"},
         BadLine{R"({"schema":2,"frame":"1","points":[]})", R"({"schema":)", "got 2, need 1"},
         BadLine{R"({"stamp_ns":1.5,"frame":"1","points":[]})", R"({"stamp_ns":)", "an integer"},
         BadLine{R"({"stamp_ns":9223372036854775808,"frame":"1","points":[]})", R"({"stamp_ns":)",

@@ -108,6 +108,11 @@ std::vector<Boundary> read_boundaries(RecordReader& reader, const json& record, 
   return boundaries;
 }
 
+/// Some programs number their frames.
+std::string frame_of(RecordReader& reader, const json& value, const Place& place) {
+  return value.is_number_integer() ? value.dump() : reader.text(value, place);
+}
+
 Scene read_scene(RecordReader& reader, const json& record) {
   const Place root;
   Scene scene;
@@ -118,7 +123,7 @@ Scene read_scene(RecordReader& reader, const json& record) {
     member(name, [&](const json& v, const Place& at) { out = reader.text(v, at); });
   };
   if (record.value("frame", json()).is_null()) reader.fail(root, "a record without a frame", {}, "\"frame\"");
-  text("frame", scene.frame);
+  member("frame", [&](const json& v, const Place& at) { scene.frame = frame_of(reader, v, at); });
   member("stamp_ns",
          [&](const json& v, const Place& at) { scene.stamp_ns = reader.integer<std::int64_t>(v, at); });
   text("frame_id", scene.frame_id);
