@@ -13,6 +13,8 @@
 #include "verge/core/polyline.hpp"
 #include "verge/core/statistics.hpp"
 #include "verge/core/vec.hpp"
+#include "verge/eval/clip.hpp"
+#include "verge/eval/sides.hpp"
 
 namespace verge::eval {
 namespace {
@@ -26,43 +28,6 @@ Line in_plane(const Boundary& boundary) {
   return line;
 }
 
-// The share of the segment a-b inside the circle around the origin, as its two ends in [0, 1].
-std::optional<std::pair<double, double>> share_inside(Vec2 a, Vec2 b, double radius) {
-  const Vec2 ab = b - a;
-  const double squared = dot(ab, ab);
-  if (squared == 0.0) return norm(a) <= radius ? std::optional{std::pair{0.0, 1.0}} : std::nullopt;
-  // |a + t ab|^2 = radius^2, solved by way of the line's distance from the origin, which keeps its digits
-  // however far away the ends are.
-  const double aside = cross(a, ab);
-  const double half_chord = std::sqrt(squared * radius * radius - aside * aside);
-  if (std::isnan(half_chord)) return std::nullopt;
-  const double from = std::max(0.0, (-dot(a, ab) - half_chord) / squared);
-  const double to = std::min(1.0, (-dot(a, ab) + half_chord) / squared);
-  return from <= to ? std::optional{std::pair{from, to}} : std::nullopt;
-}
-
-// The parts of the line inside the circle. Cut before it is sampled, so that a line to the horizon costs no
-// more than one within the range.
-std::vector<Line> clip(const Line& line, double radius) {
-  std::vector<Line> parts;
-  if (line.size() == 1 && norm(line.front()) <= radius) parts.push_back(line);
-  bool goes_on = false;  // the last part ends where the next segment begins
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const auto inside = share_inside(line[i - 1], line[i], radius);
-    if (inside) {
-      const Vec2 ab = line[i] - line[i - 1];
-      if (!goes_on || inside->first > 0.0) parts.push_back({line[i - 1] + inside->first * ab});
-      parts.back().push_back(line[i - 1] + inside->second * ab);
-    }
-    goes_on = inside && inside->second >= 1.0;
-  }
-  return parts;
-}
-
-bool goes_with_any(Side side) { return side == Side::kIsland || side == Side::kOther; }
-
-bool same_side(Side a, Side b) { return a == b || goes_with_any(a) || goes_with_any(b); }
-
 // Distance of p from the nearest of the lines.
 double distance_to_any(const std::vector<Line>& lines, Vec2 p) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -75,7 +40,7 @@ std::vector<Line> lines_for(Side side, const Scene& scene, bool any_side) {
   std::vector<Line> lines;
   lines.reserve(scene.boundaries.size());
   for (const Boundary& boundary : scene.boundaries) {
-    if (any_side || same_side(boundary.side, side)) lines.push_back(in_plane(boundary));
+    if (any_side || goes_with(boundary.side, side)) lines.push_back(in_plane(boundary));
   }
   return lines;
 }
