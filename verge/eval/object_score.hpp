@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "verge/model/scene.hpp"
+
+namespace verge::eval {
+
+/// How objects were found; those of several scans are added up.
+struct ObjectScore {
+  static constexpr std::size_t kClasses = enum_names<ObjectClass>.size();
+
+  std::size_t predicted = 0;
+  std::size_t truth = 0;
+  std::size_t matched = 0;          ///< Pairs of footprints that overlap enough.
+  std::size_t over_segmented = 0;   ///< True objects that hold at least half of two predictions or more.
+  std::size_t under_segmented = 0;  ///< Predictions that hold at least half of two true objects or more.
+  std::vector<double> heading_error_rad;  ///< Of pairs, sizes in 0..pi/2: front and back are not told apart.
+  std::vector<double> corner_error_m;     ///< Of pairs: mean distance of the footprints' corners.
+  /// By class: predicted, true, and pairs of the same class.
+  std::array<std::size_t, kClasses> class_predicted{};
+  std::array<std::size_t, kClasses> class_truth{};
+  std::array<std::size_t, kClasses> class_matched{};
+
+  ObjectScore& operator+=(const ObjectScore& more);
+
+  [[nodiscard]] std::optional<double> precision() const;
+  [[nodiscard]] std::optional<double> recall() const;
+  [[nodiscard]] std::optional<double> class_f1(ObjectClass type) const;
+};
+
+/// Objects whose centers lie within range_m. Pairs are made one to one, the greatest overlap first, down to
+/// an intersection over union of `least_overlap` seen from above.
+[[nodiscard]] ObjectScore score_objects(const Scene& prediction, const Scene& truth, double range_m,
+                                        double least_overlap = 0.5);
+
+}  // namespace verge::eval
