@@ -9,73 +9,105 @@
 
 #include "apps/verge/commands.hpp"
 #include "apps/verge/console.hpp"
-#include "apps/verge/evaluation_report.hpp"
+#include "apps/verge/evaluate_labels.hpp"
+#include "apps/verge/evaluate_request.hpp"
+#include "apps/verge/evaluate_truth.hpp"
 #include "apps/verge/number_range.hpp"
-#include "apps/verge/scene_file.hpp"
-#include "verge/eval/boundary_error.hpp"
+#include "apps/verge/options.hpp"
+#include "verge/core/atomic_file.hpp"
 
 namespace verge::app {
 namespace {
 
 constexpr const char* kExamples =
     "Examples:\n"
-    "  verge evaluate found.jsonl --truth truth.jsonl           # how far from the truth, as a table\n"
-    "  verge evaluate found.jsonl --truth truth.jsonl --json    # the same for programs, scan by scan\n";
+    "  verge evaluate found.jsonl --truth truth.jsonl              # how far from the truth, as tables\n"
+    "  verge evaluate found.jsonl --truth truth.jsonl --json -     # the same for programs, scan by scan\n"
+    "  verge evaluate --predictions other.jsonl --labels nuscenes  # any program against labelled scans\n"
+    "  verge evaluate found.jsonl --labels sequences/00 --tolerance 0.1,0.3 --per-frame --csv figures.csv\n";
 
-struct EvaluateRequest {
-  std::string predictions;
-  std::string truth;
-  eval::BoundaryErrorConfig config;
-  bool json = false;
-};
+bool is_standard_output(const std::optional<std::string>& target) { return target && *target == "-"; }
 
-Expected<eval::Comparison> compare_files(const EvaluateRequest& request) {
-  const auto predictions = read_scenes(request.predictions);
-  if (!predictions) return Unexpected(predictions.error());
-  const auto truths = read_scenes(request.truth);
-  if (!truths) return Unexpected(truths.error());
-  if (truths->empty()) {
-    return Unexpected(Error{ErrorCode::kUnusable, request.truth, {}, "has no scene to compare with", {}, {}});
+Expected<void> write_where_asked(const std::optional<std::string>& target, const std::string& text) {
+  if (!target || is_standard_output(target)) return {};
+  return write_file(*target, text);
+}
+
+/// The files, then standard output: one of the two forms where "-" is its file, else the table.
+ExitCode hand_out(const EvaluateRequest& request, const EvaluationOutput& output, Console& console) {
+  auto written = write_where_asked(request.json, output.json);
+  if (written) written = write_where_asked(request.csv, output.csv);
+  if (!written) {
+    console.error(written.error());
+    return exit_code_of(written.error().code);
   }
-  return eval::compare_all(*predictions, *truths, request.config);
+  if (is_standard_output(request.json)) return print_data(output.json);
+  return print_data(is_standard_output(request.csv) ? output.csv : output.table);
+}
+
+/// None where the request makes sense.
+std::optional<std::string> nonsense_in(const EvaluateRequest& request) {
+  if (request.predictions.empty()) return "no predictions: name a file of JSON lines";
+  if (!request.truth && !request.labels)
+    return "nothing to compare with: give --truth FILE or --labels FOLDER";
+  if (is_standard_output(request.json) && is_standard_output(request.csv))
+    return "--json and --csv cannot both be standard output";
+  return std::nullopt;
 }
 
 ExitCode evaluate(const EvaluateRequest& request) {
-  Console console({});
-  const auto comparison = compare_files(request);
-  if (!comparison) {
-    console.error(comparison.error());
-    return exit_code_of(comparison.error().code);
+  Console console(request.console);
+  if (const auto nonsense = nonsense_in(request)) {
+    console.error({ErrorCode::kUsage, {}, {}, *nonsense, {}, {}});
+    return ExitCode::kUsage;
   }
-  if (const std::size_t strays = comparison->frames_without_truth.size(); strays > 0) {
-    console.warning(fmt::format("{} predicted frames have no truth and are left out, the first is {}", strays,
-                                comparison->frames_without_truth.front()));
-  }
-  return print_data(request.json ? evaluation_json(*comparison, request.config)
-                                 : evaluation_table(*comparison, request.config));
+  const auto output = request.labels ? evaluate_labels(request, console) : evaluate_truth(request, console);
+  if (output) return hand_out(request, *output, console);
+  console.error(output.error());
+  return exit_code_of(output.error().code);
+}
+
+void add_sources(CLI::App& verb, EvaluateRequest& request) {
+  auto* positional =
+      verb.add_option("PREDICTIONS", request.predictions, "JSON lines of any program; - is standard input");
+  verb.add_option("--predictions", request.predictions, "the same")->type_name("FILE")->excludes(positional);
+  auto* truth = verb.add_option("--truth", request.truth, "JSON lines of what is true; frames go by name");
+  truth->type_name("FILE");
+  verb.add_option(
+          "--labels", request.labels,
+          "labelled scans: nuScenes lidarseg, SemanticKITTI, PCD with kerb labels, kerb polygons (.gt), "
+          "truth.csv")
+      ->type_name("FOLDER")
+      ->excludes(truth);
 }
 
 }  // namespace
 
 void add_evaluate(CLI::App& program, Action& action) {
-  CLI::App* verb = program.add_subcommand("evaluate", "say how far found boundaries are from the truth");
+  CLI::App* verb = program.add_subcommand("evaluate", "say how far what was found is from the truth");
   const auto request = std::make_shared<EvaluateRequest>();
-  verb->add_option("PREDICTIONS", request->predictions, "JSON lines of any program; - is standard input")
-      ->required();
-  verb->add_option("--truth", request->truth, "JSON lines of what is true; frames are matched by name")
-      ->type_name("FILE")
-      ->required();
-  verb->add_option("--range", request->config.range_m, "compare within this distance of the sensor")
+  add_sources(*verb, *request);
+  verb->add_option("--range", request->range_m, "compare within this distance of the sensor")
       ->type_name("M")
       ->capture_default_str()
       ->check(finite_range(0.1, 1000.0));
-  verb->add_option("--tolerance", request->config.tolerance_m, "what counts as right and as covered")
+  verb->add_option("--tolerance", request->tolerance_m,
+                   "what counts as right and as found, one or several (default: those of the protocol)")
+      ->type_name("M,M,...")
+      ->delimiter(',')
+      ->check(finite_range(0.001, 100.0));
+  verb->add_option("--gap", request->gap_m,
+                   "of labels: widest gap between two returns of a ring with a boundary in between")
       ->type_name("M")
       ->capture_default_str()
-      ->check(finite_range(0.001, 100.0));
-  verb->add_flag("--any-side", request->config.any_side,
+      ->check(finite_range(0.001, 3.0));
+  verb->add_flag("--any-side", request->any_side,
                  "compare left with right as well: the place counts, not the name of the side");
-  verb->add_flag("--json", request->json, "one JSON object with every scan instead of a table");
+  verb->add_flag("--per-frame", request->per_frame, "also a row for each scan");
+  verb->add_option("--json", request->json, "figures and counts, scan by scan; - instead of the tables")
+      ->type_name("FILE");
+  verb->add_option("--csv", request->csv, "the same as a table; - instead of the tables")->type_name("FILE");
+  add_console_options(*verb, request->console);
   verb->footer(std::string(kExamples) + "\n" + exit_code_help());
   verb->callback([request, &action] { action = [request] { return evaluate(*request); }; });
 }

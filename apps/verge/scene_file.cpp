@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/verge/scene_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -13,9 +14,10 @@
 #include <system_error>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "verge/emit/scene_json.hpp"
+#include "verge/eval/labelled_set.hpp"
 
 namespace verge::app {
 namespace {
@@ -40,9 +42,9 @@ class SceneLines {
     }
   }
 
-  [[nodiscard]] Expected<std::vector<Scene>> finish() {
+  [[nodiscard]] Expected<SceneFile> finish() {
     if (auto ended = end_line(); !ended) return Unexpected(std::move(ended).error());
-    return std::move(scenes_);
+    return std::move(file_of_scenes_);
   }
 
  private:
@@ -63,17 +65,29 @@ class SceneLines {
       error.file = file_.string();
       return Unexpected(std::move(error));
     }
-    scenes_.push_back(*std::move(scene));
+    return keep(*std::move(scene), number);
+  }
+
+  [[nodiscard]] Expected<void> keep(Scene scene, std::size_t line_number) {
+    scene.frame = eval::frame_stem(scene.frame);
+    std::vector<Scene>& scenes = file_of_scenes_.scenes;
+    if (!file_of_scenes_.by_frame.emplace(scene.frame, scenes.size()).second) {
+      Error error = error_of(ErrorCode::kUnusable, file_, "a frame stands twice");
+      error.where = fmt::format("{}:1", line_number);
+      error.got = scene.frame;
+      return Unexpected(std::move(error));
+    }
+    scenes.push_back(std::move(scene));
     return {};
   }
 
   std::filesystem::path file_;
   std::string pending_;
   std::size_t line_number_ = 1;
-  std::vector<Scene> scenes_;
+  SceneFile file_of_scenes_;
 };
 
-Expected<std::vector<Scene>> read_stream(std::istream& in, const std::filesystem::path& file) {
+Expected<SceneFile> read_stream(std::istream& in, const std::filesystem::path& file) {
   SceneLines lines(file);
   std::array<char, 1U << 16U> buffer{};
   while (in) {
@@ -85,9 +99,32 @@ Expected<std::vector<Scene>> read_stream(std::istream& in, const std::filesystem
   return lines.finish();
 }
 
+/// The first frames, in order of their names.
+std::string some_of(std::vector<std::string> frames) {
+  constexpr std::size_t kMost = 3;
+  std::sort(frames.begin(), frames.end());
+  if (frames.size() > kMost) frames.resize(kMost);
+  return frames.empty() ? "none" : fmt::format("{}", fmt::join(frames, ", "));
+}
+
 }  // namespace
 
-Expected<std::vector<Scene>> read_scenes(const std::filesystem::path& file) {
+const Scene* SceneFile::find(std::string_view frame) const {
+  const auto found = by_frame.find(frame);
+  return found == by_frame.end() ? nullptr : &scenes[found->second];
+}
+
+Error no_frame_matches(const std::string& file, const SceneFile& predictions,
+                       std::span<const std::string> known) {
+  std::vector<std::string> predicted;
+  for (const Scene& scene : predictions.scenes) predicted.push_back(scene.frame);
+  Error error = error_of(ErrorCode::kUnusable, file, "no frame matches");
+  error.got = some_of(std::move(predicted));
+  error.need = some_of({known.begin(), known.end()});
+  return error;
+}
+
+Expected<SceneFile> read_scenes(const std::filesystem::path& file) {
   if (file == "-") return read_stream(std::cin, file);
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {

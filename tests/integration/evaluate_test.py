@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Boundaries against the truth: the figures, and what is refused."""
 
+import csv
 import json
 import math
 import unittest
@@ -31,7 +32,7 @@ class Evaluate(CliTest):
         return result
 
     def figures(self, predictions, truth, *arguments):
-        return json.loads(self.evaluate(predictions, truth, "--json", *arguments).stdout)
+        return json.loads(self.evaluate(predictions, truth, "--json", "-", *arguments).stdout)
 
     def test_the_truth_is_right_and_covers_itself(self):
         truth = scene("a") + scene("b", 3.0)
@@ -101,6 +102,16 @@ class Evaluate(CliTest):
         self.check_refused(run("evaluate", twice, "--truth", good), 4, "twice")
         self.check_refused(run("evaluate", good, "--truth", empty), 4, "empty.jsonl")
 
+    def test_a_frame_that_stands_twice_has_its_line(self):
+        good = self.write("good.jsonl", scene("a"))
+        twice = self.write("same.jsonl", scene("a") + scene("b") + scene("folder/a.bin"))
+        self.check_refused(run("evaluate", twice, "--truth", good), 4, "same.jsonl:3:", "twice")
+
+    def test_where_no_frame_matches_both_are_named(self):
+        found = self.write("found.jsonl", scene("x"))
+        truth = self.write("truth.jsonl", scene("a"))
+        self.check_refused(run("evaluate", found, "--truth", truth), 4, "no frame matches", "got x", "need a")
+
     def test_a_line_without_end_is_refused_before_memory_is_full(self):
         good = self.write("good.jsonl", scene("a"))
         self.check_refused(run("evaluate", "/dev/zero", "--truth", good), 8, "line")
@@ -109,9 +120,86 @@ class Evaluate(CliTest):
         good = self.write("good.jsonl", scene("a"))
         for arguments in ((), (good,), (good, "--truth", good, "--range", "0"),
                           (good, "--truth", good, "--range", "nan"), (good, "--truth", good, "--tolerance", "-1"),
+                          (good, "--truth", good, "--tolerance", "0.1,x"), (good, "--truth", good, "--labels", good),
+                          ("--truth", good), (good, "--truth", good, "--json", "-", "--csv", "-"),
                           (good, good, "--truth", good)):
             with self.subTest(arguments=arguments):
                 self.check_refused(run("evaluate", *arguments), 2)
+
+    def test_every_metric_stands_in_the_json(self):
+        truth = (f'{{"frame":"a","points":[],"corners":[{{"id":1,"side":"left","position":[9,4]}}],'
+                 f'"junctions":[{{"type":"T","center":[12,0]}}],"objects":[{{"center":[9,2],"size":[4,2,2]}}]}}\n'
+                 f'{scene("b")}')
+        metrics = self.figures(truth, truth)["metrics"]
+        self.assertEqual(metrics["corners"]["m1"], 1)
+        self.assertEqual(metrics["junctions"]["type_accuracy"], 1)
+        self.assertEqual(metrics["objects"]["recall"], 1)
+        self.assertEqual(metrics["success"]["straight"]["minimum"], 1)
+        self.assertEqual(metrics["detection_range_m"], 35)
+        self.assertEqual(metrics["stations"]["all"]["precision"], 1)
+        self.assertEqual([(cell["range_m"], cell["tolerance_m"]) for cell in metrics["tolerance"]][:2],
+                         [(10, 0.05), (10, 0.1)])
+        self.assertEqual({cell["f1"] for cell in metrics["tolerance"]}, {1})
+
+    def test_figures_go_to_files_and_rows_to_the_table(self):
+        result = self.evaluate(scene("a", 4.1), scene("a"), "--per-frame", "--tolerance", "0.05,0.2",
+                               "--json", self.folder / "f.json", "--csv", self.folder / "f.csv")
+        self.assertIn("F1@0.05", result.stdout.decode())
+        self.assertEqual(json.loads((self.folder / "f.json").read_text())["tolerance_m"], 0.2)
+        with (self.folder / "f.csv").open(newline="") as table:
+            rows = list(csv.DictReader(table))
+        self.assertEqual({row["scope"] for row in rows}, {"all", "scan"})
+        cell = next(row for row in rows if (row["range_m"], row["tolerance_m"]) == ("20", "0.05"))
+        self.assertEqual((cell["precision"], cell["recall"]), ("0.500000", "0.500000"))
+        self.check_refused(run("evaluate", self.folder / "found.jsonl", "--truth", self.folder / "truth.jsonl", "--json",
+                               self.folder / "none" / "f.json"), 6, "none")
+
+
+class EvaluateLabels(CliTest):
+    """Against hand-picked kerb points."""
+
+    TRUTH = "frame,side,x,y,z\n" + "".join(f"a,left,{x},4,0\n" for x in range(10)) + "b,left,1,4,0\n"
+
+    def evaluate(self, predictions, *arguments):
+        return run("evaluate", "--predictions", self.write("found.jsonl", predictions), "--labels",
+                   self.write("set/truth.csv", self.TRUTH).parent, *arguments)
+
+    def test_points_and_boundaries_of_any_program_are_scored(self):
+        found = (scene("a", 4.2) + json.dumps({"frame": "x/b.pcd", "points": [[1, 4.0, 0, 99]]}) + "\n")
+        result = self.evaluate(found, "--json", "-")
+        self.check_ok(result)
+        figures = json.loads(result.stdout)
+        self.assertEqual((figures["scans"], figures["absent"], figures["true_points"]), (2, 0, 11))
+        self.assertEqual([at["found"] for at in figures["tolerances"]], [1, 1, 11, 11])
+        self.assertEqual([frame["predicted"] for frame in figures["frames"]], [True, True])
+
+    def test_the_table_says_what_the_scans_came_to(self):
+        result = self.evaluate(scene("a"), "--per-frame", "--tolerance", "0.3", "--range", "30")
+        self.check_ok(result)
+        table = result.stdout.decode()
+        self.assertIn("2 scans (1 without a prediction), 11 true points", table)
+        self.assertEqual([line.split() for line in table.splitlines() if line.startswith("b ")],
+                         [["b", "1", "0", "0.000"]])
+
+    def test_frames_are_numbers_in_some_programs(self):
+        self.TRUTH = "frame,side,x,y,z\n7,left,1,4,0\n"
+        self.check_ok(self.evaluate('{"frame":7,"points":[[1,4]]}\n'))
+
+    def test_predictions_without_labels_are_counted_in_a_warning(self):
+        result = self.evaluate(scene("a") + scene("stray"))
+        self.check_ok(result)
+        self.assertIn("1 of 2", result.stderr.decode())
+
+    def test_what_cannot_be_used(self):
+        self.check_refused(self.evaluate("{"), 4, "found.jsonl:1:")
+        self.check_refused(self.evaluate(scene("a") + scene("a")), 4, "found.jsonl:2:", "twice")
+        self.check_refused(self.evaluate(scene("x")), 4, "no frame matches", "got x", "need a, b")
+        self.check_refused(self.evaluate(""), 4, "no frame matches")
+        found = self.folder / "found.jsonl"
+        self.check_refused(run("evaluate", found, "--labels", self.folder / "none"), 3, "none")
+        self.check_refused(run("evaluate", found, "--labels", self.write("empty/a.txt", "").parent), 4, "no labelled")
+        bad = self.write("bad/truth.csv", "frame,side,x,y,z\na,left,1\n").parent
+        self.check_refused(run("evaluate", self.write("good.jsonl", scene("a")), "--labels", bad), 4, "truth.csv:2:")
 
 
 if __name__ == "__main__":
