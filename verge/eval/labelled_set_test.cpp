@@ -5,14 +5,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "verge/io/test_files.hpp"
+#include "verge/eval/test_folder.hpp"
 
 namespace verge::eval {
 namespace {
 
 using testing::floats;
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
+using testing::TestFolder;
 
 /// Across a kerb at x = 0.5 (nuScenes' own axes: x right, y forward), 10 m ahead.
 std::string nuscenes_scan() {
@@ -31,7 +31,7 @@ TEST(FrameStem, FolderAndTheSuffixOfAScanGo) {
 }
 
 TEST(LabelledSet, NuscenesLabelsStandBesideTheScans) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   folder.write("LIDAR_TOP/a.pcd.bin", nuscenes_scan());
   folder.write("LIDAR_TOP/unlabelled.pcd.bin", nuscenes_scan());
   folder.write("lidarseg/a_lidarseg.bin", std::string("\x18\x18\x18\x1A\x1A\x1A"));  // road, sidewalk
@@ -46,7 +46,7 @@ TEST(LabelledSet, NuscenesLabelsStandBesideTheScans) {
 }
 
 TEST(LabelledSet, SemanticKittiLabelsHaveTheClassInTheirLowBits) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   std::string scan;
   std::string labels;
   for (int i = 0; i < 12; ++i) {
@@ -63,7 +63,7 @@ TEST(LabelledSet, SemanticKittiLabelsHaveTheClassInTheirLowBits) {
 }
 
 TEST(LabelledSet, KerbLabelsAreTheTruePoints) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   folder.write("a.pcd",
                "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 4\nHEIGHT 1\nPOINTS 4\n"
                "DATA ascii\n1 2 0\n2 2 0\n3 2 0\n9 9 9\n");
@@ -78,7 +78,7 @@ TEST(LabelledSet, KerbLabelsAreTheTruePoints) {
 }
 
 TEST(LabelledSet, AnEdgeThatTwoPolygonsShareIsAKerb) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   folder.write("street.gt", "0 0\n1000 0\n1000 5000\n0 5000\n\n1000 5000\n1000 0\n2000 0\n2000 5000\n");
   const auto scans = find_labelled_scans(folder.path());
   ASSERT_EQ(scans->size(), 1U);
@@ -90,7 +90,7 @@ TEST(LabelledSet, AnEdgeThatTwoPolygonsShareIsAKerb) {
 }
 
 TEST(LabelledSet, ATableOfKerbPointsIsTheOnlyTruth) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   folder.write("street.gt", "0 0\n");
   folder.write("truth.csv",
                "frame,side,x,y,z\r\nb.bin,left,1.5, 2,0\r\na,right,3,-4,0\r\nb,left,2.5,2,0\r\n");
@@ -102,7 +102,7 @@ TEST(LabelledSet, ATableOfKerbPointsIsTheOnlyTruth) {
 }
 
 TEST(LabelledSet, WhatCannotBeUsedSaysWhere) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   EXPECT_EQ(find_labelled_scans(folder.path() / "none").error().code, ErrorCode::kCannotOpen);
   EXPECT_EQ(find_labelled_scans(folder.path()).error().code, ErrorCode::kUnusable);
   const auto table = folder.write("truth.csv", "frame,side,x,y,z\na,left,1,2,0\na,left,x,2,0\n");
@@ -115,7 +115,7 @@ TEST(LabelledSet, WhatCannotBeUsedSaysWhere) {
 }
 
 TEST(LabelledSet, LabelsThatAreNotAsManyAsThePointsAreAnError) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   folder.write("LIDAR_TOP/a.pcd.bin", nuscenes_scan());
   folder.write("lidarseg/a_lidarseg.bin", "\x18\x18");
   const auto scans = find_labelled_scans(folder.path());
