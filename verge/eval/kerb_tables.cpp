@@ -65,9 +65,9 @@ std::optional<KerbRow> kerb_row(std::string_view line) {
 }
 
 /// A corner of a polygon, in whole thousandths of a millimetre, so that corners can be compared.
-using Corner = std::pair<std::int64_t, std::int64_t>;
+using Vertex = std::pair<std::int64_t, std::int64_t>;
 
-std::optional<Corner> corner_of(std::string_view line) {
+std::optional<Vertex> corner_of(std::string_view line) {
   constexpr double kGreatest_mm = 1e9;
   io::WordReader words(line, 1);
   std::array<std::int64_t, 2> xy{};
@@ -77,19 +77,19 @@ std::optional<Corner> corner_of(std::string_view line) {
     if (!number || !(std::fabs(*number) <= kGreatest_mm)) return std::nullopt;
     value = std::llround(*number * 1e3);
   }
-  return words.next() ? std::nullopt : std::optional(Corner(xy[0], xy[1]));
+  return words.next() ? std::nullopt : std::optional(Vertex(xy[0], xy[1]));
 }
 
-Vec2 metres(Corner corner) {
+Vec2 metres(Vertex corner) {
   constexpr double kPerMetre = 1e6;
   return {static_cast<double>(corner.first) / kPerMetre, static_cast<double>(corner.second) / kPerMetre};
 }
 
-using Polygon = std::vector<Corner>;
+using Polygon = std::vector<Vertex>;
 
 /// Edges that stand in two polygons, whichever way around, in order.
 std::vector<Segment> shared_edges(const std::vector<Polygon>& polygons) {
-  std::map<std::pair<Corner, Corner>, std::set<std::size_t>> owners;
+  std::map<std::pair<Vertex, Vertex>, std::set<std::size_t>> owners;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     const Polygon& polygon = polygons[p];
     for (std::size_t i = 0; i < polygon.size(); ++i) {
