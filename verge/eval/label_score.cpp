@@ -172,20 +172,22 @@ std::vector<Vec2> samples_within(std::span<const Vec2> line, double step, double
   const auto keep = [&](Vec2 p) {
     if (is_within(p, reach)) samples.push_back(p);
   };
+  const auto station = [&](std::int64_t k) { return static_cast<double>(k) * step; };
   if (line.size() == 1) keep(line.front());
   if (line.size() < 2) return samples;
   double start = 0.0;
   for (std::size_t i = 1; i < line.size() && start < kLongest_m; ++i) {
     const Vec2 a = line[i - 1];
     const Vec2 ab = line[i] - a;
-    const double end = start + std::hypot(ab.x, ab.y);
+    const double length = std::hypot(ab.x, ab.y);
+    const double end = start + length;
     // Only the stations inside the reach (and one more at each end, for the last digits) are worked out.
     const auto inside = share_inside({a, line[i]}, reach);
     if (inside && end < kLongest_m) {
-      const double first = std::floor((start + inside->first * (end - start)) / step) - 1.0;
-      const double last = start + inside->second * (end - start) + step;
-      for (double k = std::max(first, 0.0); k * step < end && k * step <= last; ++k) {
-        const double along = k * step - start;
+      const auto first = static_cast<std::int64_t>((start + inside->first * length) / step) - 1;
+      const double last = start + inside->second * length + step;
+      for (std::int64_t k = std::max<std::int64_t>(first, 0); station(k) < end && station(k) <= last; ++k) {
+        const double along = station(k) - start;
         if (along >= 0.0) keep({ab.x / (end - start) * along + a.x, ab.y / (end - start) * along + a.y});
       }
     }
@@ -193,9 +195,9 @@ std::vector<Vec2> samples_within(std::span<const Vec2> line, double step, double
   }
   if (!(start < kLongest_m)) return samples;
   // The station at the end, or past it by less than half a step.
-  const double count = std::ceil((start + step / 2.0) / step);
-  for (double k = std::max(count - 2.0, 0.0); k < count; ++k) {
-    if (k * step >= start) keep(line.back());
+  const auto count = static_cast<std::int64_t>(std::ceil((start + step / 2.0) / step));
+  for (std::int64_t k = std::max<std::int64_t>(count - 2, 0); k < count; ++k) {
+    if (station(k) >= start) keep(line.back());
   }
   return samples;
 }

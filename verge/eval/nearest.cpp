@@ -33,7 +33,8 @@ double NearestPoint::distance(Vec2 p) const {
        it != points_.end() && it->x <= p.x + limit_; ++it) {
     if (std::fabs(it->y - p.y) <= limit_) nearest = std::min(nearest, std::hypot(p.x - it->x, p.y - it->y));
   }
-  return nearest < limit_ ? nearest : kInfinity;
+  if (nearest < limit_) return nearest;
+  return kInfinity;
 }
 
 NearestSegment::NearestSegment(std::span<const Segment> segments, double limit) : limit_(limit) {
@@ -55,7 +56,8 @@ double NearestSegment::distance(Vec2 p) const {
         e.greatest.x < p.x - limit_ || e.greatest.y < p.y - limit_ || e.least.y > p.y + limit_;
     if (!beside) nearest = std::min(nearest, distance_to_segment(e.segment, p));
   }
-  return nearest < limit_ ? nearest : kInfinity;
+  if (nearest < limit_) return nearest;
+  return kInfinity;
 }
 
 }  // namespace verge::eval

@@ -125,14 +125,15 @@ void sample_boundary(const Boundary& boundary, const MatchConfig& config, const 
       const double length_m = distance(segment.a, segment.b);
       const double from_m = inside->first * length_m;
       const double reach_m = (inside->second - inside->first) * length_m;
-      double along_m = ahead_m;
-      for (std::size_t k = 0; along_m <= reach_m + kSlack_m;
-           along_m = ahead_m + static_cast<double>(++k) * config.step_m) {
-        const double t = length_m > 0.0 ? std::min(1.0, (from_m + along_m) / length_m) : 0.0;
+      std::size_t count = 0;
+      const auto next_m = [&] { return ahead_m + static_cast<double>(count) * config.step_m; };
+      while (next_m() <= reach_m + kSlack_m) {
+        const double t = length_m > 0.0 ? std::min(1.0, (from_m + next_m()) / length_m) : 0.0;
         samples.push_back(matched(segment.a + t * (segment.b - segment.a), segment,
                                   state_at(boundary, t < 0.5 ? i - 1 : i), others));
+        ++count;
       }
-      ahead_m = along_m - reach_m;
+      ahead_m = next_m() - reach_m;
     }
     goes_on = inside && inside->second >= 1.0;
   }

@@ -65,7 +65,9 @@ std::optional<double> lateral_at(const Scene& scene, Side side, double x) {
 std::vector<StationCounts> count_stations(const Scene& prediction, const Scene& truth,
                                           const StationConfig& config) {
   std::vector<StationCounts> stations;
-  for (double x = 0.0; x < config.range_m; x = static_cast<double>(stations.size()) * config.step_m) {
+  const auto x_of = [&](std::size_t station) { return static_cast<double>(station) * config.step_m; };
+  while (x_of(stations.size()) < config.range_m) {
+    const double x = x_of(stations.size());
     StationCounts& counts = stations.emplace_back();
     for (const Side side : {Side::kLeft, Side::kRight})
       counts +=
