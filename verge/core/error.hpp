@@ -38,7 +38,7 @@ using Expected = tl::expected<T, Error>;
 
 using Unexpected = tl::unexpected<Error>;
 
-/// The error's line: at most 280 bytes of UTF-8, escaped as escape_control_bytes() does (a path may hold ESC).
+/// The error's line: at most 280 bytes of UTF-8, escaped as by escape_control_bytes() (paths may hold ESC).
 [[nodiscard]] std::string to_string(const Error& error);
 
 /// `text` so that it can stand in one line of a terminal, as valid UTF-8: control characters (below U+0020,

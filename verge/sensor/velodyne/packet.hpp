@@ -10,8 +10,8 @@
 #include "verge/core/bytes.hpp"
 #include "verge/sensor/velodyne/facts.hpp"
 
-// The data packet (UDP payload of 1206 bytes, little-endian; docs/formats_velodyne.md): 12 blocks of 100 bytes (flag
-// u16, azimuth u16, 32 x (distance u16, intensity u8)), stamp u32, return mode u8, product u8.
+// The data packet (1206 bytes, little-endian; docs/formats_velodyne.md): 12 blocks of 100 bytes (flag u16,
+// azimuth u16, 32 x (distance u16, intensity u8)), stamp u32, return mode u8, product u8.
 namespace verge::sensor::velodyne {
 
 constexpr std::size_t kDataBytes = 1206;
