@@ -23,12 +23,22 @@ function(verge_room name)
   endif()
 endfunction()
 
-# verge_test(NAME SOURCES ... LIBRARIES ...): a GoogleTest executable whose cases CTest runs one by one.
+# verge_test(NAME SOURCES ... LIBRARIES ... [SHARDS N]): a GoogleTest executable whose cases CTest runs one by one; or in N
+# shares, where making the cases takes longer than most of them: a process makes all of its cases before it runs one.
 function(verge_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "" "SHARDS" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} verge_options GTest::gmock GTest::gtest_main rapidcheck)
   # Property tests are replayable: the seed is fixed here; set RC_PARAMS by hand for others.
   string(REGEX REPLACE "_test$" "" subject ${name})
+  if(TEST_SHARDS)
+    math(EXPR last "${TEST_SHARDS} - 1")
+    foreach(shard RANGE ${last})
+      add_test(NAME ${subject}.share${shard} COMMAND ${name} --gtest_brief=1)
+      set_tests_properties(${subject}.share${shard} PROPERTIES TIMEOUT 1200
+        ENVIRONMENT "RC_PARAMS=seed=20261122;GTEST_TOTAL_SHARDS=${TEST_SHARDS};GTEST_SHARD_INDEX=${shard}")
+    endforeach()
+    return()
+  endif()
   gtest_discover_tests(${name} TEST_PREFIX ${subject}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=20261122)
 endfunction()
