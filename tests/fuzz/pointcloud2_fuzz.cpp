@@ -24,7 +24,8 @@ void check_cloud(io::Wire wire, Bytes message) {
   require(back.has_value() && back->points() == scan.size());
   auto again = io::decode_point_cloud2(*back);
   require(again.has_value());
-  require(again->cloud.x == scan.x && again->cloud.y == scan.y && again->cloud.z == scan.z);
+  const Cloud sent = flatten(scan);  // messages keep the input's order
+  require(again->cloud.x == sent.x && again->cloud.y == sent.y && again->cloud.z == sent.z);
 }
 
 }  // namespace
