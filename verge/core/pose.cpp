@@ -59,6 +59,7 @@ Pose inverse(const Pose& T_a_b) {
 }
 
 Pose interpolate(const Pose& a, const Pose& b, double t) {
+  if (a == b) return a;  // to the last bit, which turning by nothing is not
   return {slerp(a.rotation, b.rotation, t), a.translation + t * (b.translation - a.translation)};
 }
 

@@ -66,5 +66,11 @@ TEST(Pose, AMatrixThatIsNoRotationIsRefused) {
   EXPECT_FALSE(pose_from_matrix({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0}).has_value());
 }
 
+TEST(Interpolate, BetweenEqualPosesItIsThatPoseBitForBit) {
+  const Pose pose{from_yaw_pitch_roll(0.3, 0.01, -0.008), {12.5, -3.25, 1.9}};
+  for (const double t : {0.0, 0.1, 0.37, 1.0}) EXPECT_EQ(interpolate(pose, pose, t), pose) << t;
+}
+
 }  // namespace
+
 }  // namespace verge

@@ -25,6 +25,7 @@ DriveConfig checked(DriveConfig config) {
   check_fields(config.scenario.stand);
   if (!(config.truth_radius_m > 0.0)) throw std::invalid_argument("the truth needs a positive radius");
   const auto road = static_cast<std::size_t>(config.scenario.course.road);
+  if (config.scenario.roads.empty()) throw std::invalid_argument("a world needs a road");
   if (road > config.scenario.roads.size()) throw std::invalid_argument("the vehicle's road is not there");
   return config;
 }
