@@ -128,7 +128,7 @@ Simulated Drive::scan(std::uint64_t index) const {
   const Course& course = config_.scenario.course;
   const std::int64_t period_ns = sensor::revolution_ns(config_.sensor);
   const std::int64_t from_ns = static_cast<std::int64_t>(index) * period_ns;
-  const double middle_s = 1e-9 * static_cast<double>(from_ns + period_ns / 2);
+  const double middle_s = 1e-9 * (static_cast<double>(from_ns) + 0.5 * static_cast<double>(period_ns));
   const Caster world = world_.at(furniture_.poses_of_bodies(middle_s));
   const SampledTrajectory sampled(*this, from_ns, from_ns + period_ns + config_.sensor.firing_period_ns);
 
