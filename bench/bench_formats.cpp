@@ -18,10 +18,10 @@
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "bench/floor.hpp"
+#include "bench/measure.hpp"
 #include "verge/io/file/alasca_stream.hpp"
 #include "verge/io/file/csv.hpp"
 #include "verge/io/file/ibeo_stream.hpp"
@@ -47,19 +47,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kScans = 10;  // of a recording
-
-// Time of this thread alone, so that others on the machine disturb less.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Bytes bytes_of(const std::string& text) { return std::as_bytes(std::span(text.data(), text.size())); }
 
@@ -108,7 +95,7 @@ void read_beside_floor(benchmark::State& state, const std::string& file, const R
     floors.push_back(thread_seconds() - floor_begin);
   }
   state.SetBytesProcessed(static_cast<std::int64_t>(file.size()) * static_cast<std::int64_t>(ours.size()));
-  state.counters["x_floor"] = median(ours) / median(floors);
+  state.counters["x_floor"] = typical(ours) / typical(floors);
   state.counters["MB"] = 1e-6 * static_cast<double>(file.size());
 }
 
@@ -229,11 +216,4 @@ void add_all() {
 }  // namespace
 }  // namespace verge::bench
 
-int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  verge::bench::add_all();
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
-}
+int main(int argc, char** argv) { return verge::bench::run_benchmarks(argc, argv, &verge::bench::add_all); }

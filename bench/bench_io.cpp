@@ -5,7 +5,6 @@
 // alternates with a plain pread of the same file into memory that is there already: the counter x_pread is
 // the ratio of the two medians. What a reader gives is the Cloud; putting it in rings is measured by
 // scan_bench.
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -14,9 +13,9 @@
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "bench/measure.hpp"
 #include "verge/core/atomic_file.hpp"
 #include "verge/io/file/csv.hpp"
 #include "verge/io/file/kitti.hpp"
@@ -30,19 +29,6 @@ namespace verge::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Time of this thread alone, so that others on the machine disturb less.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double plain_read_seconds(const fs::path& file, std::vector<char>& into) {
   const double begin = thread_seconds();
@@ -75,8 +61,8 @@ void read_beside_pread(benchmark::State& state, const fs::path& file, Reader rea
     ours.push_back(thread_seconds() - begin);
     state.SetIterationTime(ours.back());
   }
-  state.counters["x_pread"] = median(ours) / median(plain);
-  state.counters["MB_a_second"] = 1e-6 * static_cast<double>(into.size()) / median(ours);
+  state.counters["x_pread"] = typical(ours) / typical(plain);
+  state.counters["MB_a_second"] = 1e-6 * static_cast<double>(into.size()) / typical(ours);
 }
 
 /// One scan in every format, for as long as the object lives.
@@ -138,12 +124,7 @@ void add_all(const Files& files) {
 }  // namespace verge::bench
 
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   const verge::bench::Files files;
   if (!files.good()) return 1;
-  verge::bench::add_all(files);
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return verge::bench::run_benchmarks(argc, argv, [&] { verge::bench::add_all(files); });
 }

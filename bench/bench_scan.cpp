@@ -5,40 +5,20 @@
 //
 // Every benchmark alternates with the floor (bench/floor.hpp) on the same points; the counter x_floor is the
 // ratio of the two medians.
-#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <time.h>
 
 #include "bench/floor.hpp"
+#include "bench/measure.hpp"
 #include "verge/scan/organise.hpp"
 #include "verge/scan/test_clouds.hpp"
 
 namespace verge::bench {
 namespace {
-
-// Time of this thread alone, so that others on the machine disturb less. Nothing here uses a second thread.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double seconds_of(const std::function<void()>& work) {
-  const double begin = thread_seconds();
-  work();
-  return thread_seconds() - begin;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Times `work` on what `prepare` makes, outside the clock, in turn with the floor.
 template <class Prepare, class Work>
@@ -52,9 +32,9 @@ void run_beside_floor(benchmark::State& state, const Cloud& cloud, const Prepare
     ours.push_back(seconds_of([&] { benchmark::DoNotOptimize(work(std::move(input))); }));
     state.SetIterationTime(ours.back());
   }
-  const double typical = median(ours);
-  state.counters["x_floor"] = typical / median(floors);
-  state.counters["ns_a_point"] = 1e9 * typical / static_cast<double>(cloud.x.size());
+  const double median = typical(ours);
+  state.counters["x_floor"] = median / typical(floors);
+  state.counters["ns_a_point"] = 1e9 * median / static_cast<double>(cloud.x.size());
   state.counters["points"] = static_cast<double>(cloud.x.size());
 }
 
@@ -132,11 +112,4 @@ void add_all() {
 }  // namespace
 }  // namespace verge::bench
 
-int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  verge::bench::add_all();
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
-}
+int main(int argc, char** argv) { return verge::bench::run_benchmarks(argc, argv, &verge::bench::add_all); }

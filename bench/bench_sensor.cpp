@@ -3,33 +3,19 @@
 
 // Speed of decoding: packets of one HDL-32E revolution to its cloud, beside the floor (bench/floor.hpp) over
 // the same points; the counter x_floor is the ratio of the two medians.
-#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <time.h>
 
 #include "bench/floor.hpp"
+#include "bench/measure.hpp"
 #include "verge/sensor/velodyne/test_packets.hpp"
 
 namespace verge::bench {
 namespace {
 
 namespace velodyne = sensor::velodyne;
-
-// Time of this thread alone, so that others on the machine disturb less.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // One drive, revolution by revolution: each time what comes until the next one is finished.
 void decode_revolution(benchmark::State& state) {
@@ -67,8 +53,8 @@ void decode_revolution(benchmark::State& state) {
     state.SetIterationTime(took);
   }
   if (ours.empty()) return;
-  state.counters["x_floor"] = median(ours) / median(floors);
-  state.counters["ns_a_point"] = 1e9 * median(ours) / static_cast<double>(points);
+  state.counters["x_floor"] = typical(ours) / typical(floors);
+  state.counters["ns_a_point"] = 1e9 * typical(ours) / static_cast<double>(points);
   state.counters["points"] = static_cast<double>(points);
 }
 

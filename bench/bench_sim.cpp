@@ -5,7 +5,6 @@
 // on one thread, beside the floor (bench/floor.hpp) over the points that are hit. The counter Mrays_at_3ns is
 // the rate on a machine whose floor takes 3 ns a point; x_floor the ratio of the times of a ray and of a
 // point.
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -14,9 +13,9 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <time.h>
 
 #include "bench/floor.hpp"
+#include "bench/measure.hpp"
 #include "verge/core/angle.hpp"
 #include "verge/sim/caster.hpp"
 #include "verge/sim/land.hpp"
@@ -27,19 +26,6 @@ namespace {
 
 constexpr std::size_t kRings = 64;
 constexpr std::size_t kColumns = 1800;
-
-// Time of this thread alone, so that others on the machine disturb less.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 sim::World crossing() {
   sim::Scenario scenario = sim::ready_scenario("crossing");
@@ -100,8 +86,8 @@ void cast_crossing(benchmark::State& state) {
     state.SetIterationTime(ours.back());
   }
   const double count = static_cast<double>(all.size());
-  const double ns_a_ray = 1e9 * median(ours) / count;
-  const double ns_a_point = 1e9 * median(floors) / count;
+  const double ns_a_ray = 1e9 * typical(ours) / count;
+  const double ns_a_point = 1e9 * typical(floors) / count;
   state.counters["triangles"] = triangles;
   state.counters["ns_a_ray"] = ns_a_ray;
   state.counters["x_floor"] = ns_a_ray / ns_a_point;
