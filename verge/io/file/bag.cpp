@@ -402,4 +402,10 @@ Expected<std::unique_ptr<Recording>> open_bag(std::unique_ptr<Bag> bag, const Re
   return recording;
 }
 
+Expected<std::unique_ptr<Recording>> scans_of(Expected<std::unique_ptr<Bag>> bag,
+                                              const RecordingOptions& options) {
+  if (!bag) return Unexpected(std::move(bag).error());
+  return open_bag(*std::move(bag), options);
+}
+
 }  // namespace verge::io

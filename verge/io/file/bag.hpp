@@ -80,4 +80,8 @@ class Bag {
 [[nodiscard]] Expected<std::unique_ptr<Recording>> open_bag(std::unique_ptr<Bag> bag,
                                                             const RecordingOptions& options);
 
+/// open_bag() of a bag that was just opened, or the Error with which it was not.
+[[nodiscard]] Expected<std::unique_ptr<Recording>> scans_of(Expected<std::unique_ptr<Bag>> bag,
+                                                            const RecordingOptions& options);
+
 }  // namespace verge::io

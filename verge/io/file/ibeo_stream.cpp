@@ -8,9 +8,9 @@
 #include <fmt/core.h>
 
 #include "verge/core/angle.hpp"
+#include "verge/io/file/calibration_file.hpp"
 #include "verge/io/file/framed_recording.hpp"
 #include "verge/io/file/magic.hpp"
-#include "verge/io/file/velodyne_scans.hpp"
 #include "verge/sensor/ibeo/alasca_scan.hpp"
 #include "verge/sensor/ibeo/health2030.hpp"
 #include "verge/sensor/ibeo/idc.hpp"

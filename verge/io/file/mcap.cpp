@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "verge/io/file/chunk.hpp"
+#include "verge/io/file/chunked_bag.hpp"
 #include "verge/io/file/crc32.hpp"
 #include "verge/io/file/mcap_records.hpp"
 #include "verge/io/text.hpp"
@@ -25,64 +26,40 @@ struct Record {
   std::uint64_t length = 0;
 };
 
-class McapBag final : public Bag {
+class McapBag final : public ChunkedBag<Record> {
  public:
-  explicit McapBag(Input input) : input_(std::move(input)) {}
+  explicit McapBag(Input input) : ChunkedBag(std::move(input), kMcapMagic.size()) {}
 
   /// Finds the topics and goes to the first record.
   [[nodiscard]] Expected<void> open();
 
-  [[nodiscard]] std::vector<Topic>& topics() override { return topics_; }
-  [[nodiscard]] Expected<std::optional<Message>> next() override;
-  [[nodiscard]] std::vector<Counter> counters() const override;
-  [[nodiscard]] const std::string& name() const override { return input_.name(); }
-  [[nodiscard]] Expected<void> allow(std::uint64_t points) const override { return input_.allow(points, 0); }
-
  private:
-  /// How far the file is read.
-  struct Progress {
-    std::uint64_t at = kMcapMagic.size();  // next record of the file
-    bool ended = false;
-    bool in_chunk = false;
-    Bytes chunk;               // records of the chunk that is read
-    std::size_t chunk_at = 0;  // next record in it
-    std::string chunk_place;
-    std::uint64_t chunks = 0, bad_chunks = 0;
-    std::uint64_t records = 0, bad_records = 0;
-  };
-
   [[nodiscard]] Expected<bool> read_summary();
   [[nodiscard]] Expected<std::optional<McapFooter>> read_footer();
   [[nodiscard]] bool add_summary(Bytes summary);
-  [[nodiscard]] Expected<void> survey();
 
-  [[nodiscard]] Expected<std::optional<Message>> end();
-  [[nodiscard]] Expected<Record> record_head();
-  [[nodiscard]] Expected<std::optional<Message>> read_record(const Record& record);
+  [[nodiscard]] Expected<Record> record_at(std::uint64_t at) override;
+  [[nodiscard]] std::uint64_t end_of(const Record& record) const override {
+    return record.begin + record.length;
+  }
+  [[nodiscard]] bool ends_data(const Record& record) const override {
+    return record.op == McapOp::kDataEnd || record.op == McapOp::kFooter;
+  }
+  [[nodiscard]] Expected<std::optional<Message>> read_record(const Record& record) override;
+  [[nodiscard]] Expected<std::optional<Message>> next_in_chunk() override;
+  [[nodiscard]] Expected<std::optional<Message>> end() override;
   [[nodiscard]] Expected<void> read_definition(const Record& record);
   [[nodiscard]] Expected<std::optional<Message>> read_message(const Record& record);
-  [[nodiscard]] Expected<void> enter_chunk(const Record& record);
-  [[nodiscard]] Expected<void> unpack_chunk(const Record& record);
-  [[nodiscard]] Expected<std::optional<Message>> next_in_chunk();
+  [[nodiscard]] Expected<Chunk> unpack_chunk(const Record& record);
   [[nodiscard]] Expected<std::optional<Message>> leave_chunk(std::string what);
   [[nodiscard]] Expected<Message> message_of(Bytes head, Bytes data, Place place);
   [[nodiscard]] bool define(McapOp op, Bytes content);
   [[nodiscard]] Topic topic_of(const McapChannel& channel) const;
-  [[nodiscard]] Error error(const Place& place, std::string what, std::string got = {},
-                            std::string need = {}) const;
 
-  Input input_;
-  Progress progress_;
   Buffer unpacked_;
-  std::vector<Topic> topics_;
   std::map<std::uint16_t, std::string> schemas_;   // name of the type
   std::map<std::uint16_t, std::size_t> channels_;  // index of the topic
 };
-
-Error McapBag::error(const Place& place, std::string what, std::string got, std::string need) const {
-  return {ErrorCode::kDamaged, input_.name(),  place.where(),
-          std::move(what),     std::move(got), std::move(need)};
-}
 
 Topic McapBag::topic_of(const McapChannel& channel) const {
   Topic out;
@@ -165,22 +142,6 @@ Expected<bool> McapBag::read_summary() {
   return add_summary(bytes->first(static_cast<std::size_t>(end - begin)));
 }
 
-/// Reads the file through for its topics and how many messages each has. Where there are none and the file is
-/// damaged, the damage is why.
-Expected<void> McapBag::survey() {
-  topics_.clear();
-  schemas_.clear();
-  channels_.clear();
-  std::optional<Error> trouble;
-  while (!progress_.ended) {
-    const auto message = next();
-    if (message && *message) ++topics_[(*message)->topic].messages;
-    if (!message && !trouble) trouble = message.error();
-  }
-  progress_ = {};
-  return nothing_but_damage(topics_, trouble);
-}
-
 Expected<void> McapBag::open() {
   const auto magic = input_.head(kMcapMagic.size());
   if (!magic) return Unexpected(magic.error());
@@ -188,33 +149,34 @@ Expected<void> McapBag::open() {
     return Unexpected(input_.error_at(ErrorCode::kUnusable, 0, "no MCAP file"));
   const auto summary = read_summary();
   if (!summary) return Unexpected(summary.error());
-  return *summary ? Expected<void>{} : survey();
+  if (*summary) return {};
+  schemas_.clear();
+  channels_.clear();
+  return survey();
 }
 
-/// The end of the data: an error where the file was not closed.
 Expected<std::optional<Message>> McapBag::end() {
-  progress_.ended = true;
   const auto footer = read_footer();
   if (!footer) return Unexpected(footer.error());
   if (*footer) return std::nullopt;
   return Unexpected(error({{}, progress_.at}, "recording was not closed: it has no footer"));
 }
 
-Expected<Record> McapBag::record_head() {
-  const std::uint64_t left = input_.size() - progress_.at;
+Expected<Record> McapBag::record_at(std::uint64_t at) {
+  const std::uint64_t left = input_.size() - at;
   if (left < kMcapRecordHead) {
-    return Unexpected(error({{}, progress_.at}, "file ends in the head of a record",
-                            fmt::format("{} B", left), fmt::format(">= {} B", kMcapRecordHead)));
+    return Unexpected(error({{}, at}, "file ends in the head of a record", fmt::format("{} B", left),
+                            fmt::format(">= {} B", kMcapRecordHead)));
   }
-  const auto head = input_.read(progress_.at, kMcapRecordHead);
+  const auto head = input_.read(at, kMcapRecordHead);
   if (!head) return Unexpected(head.error());
-  const Record record{static_cast<McapOp>((*head)[0]), progress_.at + kMcapRecordHead,
+  const Record record{static_cast<McapOp>((*head)[0]), at + kMcapRecordHead,
                       load_le<std::uint64_t>(*head, 1)};
   if (static_cast<std::uint8_t>(record.op) == 0)
-    return Unexpected(error({{}, progress_.at}, "record has no operation"));
+    return Unexpected(error({{}, at}, "record has no operation"));
   const std::uint64_t room = left - kMcapRecordHead;
   if (record.length > room) {
-    return Unexpected(error({{}, progress_.at}, "record is longer than what is left of the file",
+    return Unexpected(error({{}, at}, "record is longer than what is left of the file",
                             fmt::format("{} B", record.length), fmt::format("<= {} B", room)));
   }
   return record;
@@ -259,7 +221,7 @@ Expected<std::optional<Message>> McapBag::read_message(const Record& record) {
   return *std::move(message);
 }
 
-Expected<void> McapBag::unpack_chunk(const Record& record) {
+Expected<McapBag::Chunk> McapBag::unpack_chunk(const Record& record) {
   constexpr std::uint64_t kMostHead = 8 + 8 + 8 + 4 + 4 + 64 + 8;  // 64: name of the compression
   const auto head = input_.read(record.begin, std::min(record.length, kMostHead));
   if (!head) return Unexpected(head.error());
@@ -278,21 +240,7 @@ Expected<void> McapBag::unpack_chunk(const Record& record) {
   if (chunk.crc != 0 && crc32(*records) != chunk.crc) {
     return Unexpected(error({{}, begin}, "chunk is damaged: its checksum is wrong"));
   }
-  progress_.chunk = *records;
-  progress_.chunk_place = fmt::format("{}", begin);
-  return {};
-}
-
-Expected<void> McapBag::enter_chunk(const Record& record) {
-  ++progress_.chunks;
-  auto unpacked = unpack_chunk(record);
-  if (!unpacked) {
-    ++progress_.bad_chunks;
-    return unpacked;
-  }
-  progress_.in_chunk = true;
-  progress_.chunk_at = 0;
-  return {};
+  return Chunk{*records, begin};
 }
 
 Expected<std::optional<Message>> McapBag::leave_chunk(std::string what) {
@@ -301,7 +249,6 @@ Expected<std::optional<Message>> McapBag::leave_chunk(std::string what) {
   return Unexpected(error({progress_.chunk_place, progress_.chunk_at}, std::move(what)));
 }
 
-/// The next message of the chunk; none behind its last.
 Expected<std::optional<Message>> McapBag::next_in_chunk() {
   Progress& p = progress_;
   while (p.chunk_at < p.chunk.size()) {
@@ -332,13 +279,13 @@ Expected<std::optional<Message>> McapBag::next_in_chunk() {
   return std::nullopt;
 }
 
-/// A record of the file: its message if it is one.
 Expected<std::optional<Message>> McapBag::read_record(const Record& record) {
   switch (record.op) {
     case McapOp::kMessage:
       return read_message(record);
     case McapOp::kChunk:
-      if (auto entered = enter_chunk(record); !entered) return Unexpected(std::move(entered).error());
+      if (auto entered = enter_chunk(unpack_chunk(record)); !entered)
+        return Unexpected(std::move(entered).error());
       return std::nullopt;
     case McapOp::kSchema:
     case McapOp::kChannel:
@@ -349,51 +296,12 @@ Expected<std::optional<Message>> McapBag::read_record(const Record& record) {
   }
 }
 
-Expected<std::optional<Message>> McapBag::next() {
-  Progress& p = progress_;
-  while (!p.ended) {
-    if (p.in_chunk) {
-      auto message = next_in_chunk();
-      if (!message || *message) return message;
-      continue;
-    }
-    if (p.at == input_.size()) return end();
-    const auto record = record_head();
-    if (!record) {  // nothing says where the next record begins
-      p.ended = true;
-      ++p.records;
-      ++p.bad_records;
-      return Unexpected(record.error());
-    }
-    if (record->op == McapOp::kDataEnd || record->op == McapOp::kFooter) return end();
-    p.at = record->begin + record->length;
-    ++p.records;
-    auto message = read_record(*record);
-    if (!message) ++p.bad_records;
-    if (!message || *message) return message;
-  }
-  return std::nullopt;
-}
-
-std::vector<Counter> McapBag::counters() const {
-  const Progress& p = progress_;
-  return {{"records received", p.records},          {"records used", p.records - p.bad_records},
-          {"records rejected", p.bad_records},      {"chunks received", p.chunks},
-          {"chunks used", p.chunks - p.bad_chunks}, {"chunks rejected", p.bad_chunks}};
-}
-
 }  // namespace
 
-Expected<std::unique_ptr<Bag>> open_mcap_bag(Input input) {
-  auto bag = std::make_unique<McapBag>(std::move(input));
-  if (auto opened = bag->open(); !opened) return Unexpected(std::move(opened).error());
-  return bag;
-}
+Expected<std::unique_ptr<Bag>> open_mcap_bag(Input input) { return open_bag_as<McapBag>(std::move(input)); }
 
 Expected<std::unique_ptr<Recording>> open_mcap(Input input, const RecordingOptions& options) {
-  auto bag = open_mcap_bag(std::move(input));
-  if (!bag) return Unexpected(std::move(bag).error());
-  return open_bag(*std::move(bag), options);
+  return scans_of(open_mcap_bag(std::move(input)), options);
 }
 
 }  // namespace verge::io

@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "verge/core/atomic_file.hpp"
+#include "verge/io/file/calibration_file.hpp"
 #include "verge/io/file/pcap.hpp"
 #include "verge/io/file/velodyne_scans.hpp"
 #include "verge/io/file/wire_points.hpp"

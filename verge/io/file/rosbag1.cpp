@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "verge/io/file/chunk.hpp"
+#include "verge/io/file/chunked_bag.hpp"
 #include "verge/io/file/ros_messages.hpp"
 #include "verge/io/text.hpp"
 
@@ -84,65 +85,37 @@ struct Record {
   [[nodiscard]] std::uint64_t end() const { return data_at() + data_bytes; }
 };
 
-class Rosbag1 final : public Bag {
+class Rosbag1 final : public ChunkedBag<Record> {
  public:
-  explicit Rosbag1(Input input) : input_(std::move(input)) {}
+  explicit Rosbag1(Input input) : ChunkedBag(std::move(input), kVersion2.size()) {}
 
   /// Finds the topics and goes to the first record.
   [[nodiscard]] Expected<void> open();
 
-  [[nodiscard]] std::vector<Topic>& topics() override { return topics_; }
-  [[nodiscard]] Expected<std::optional<Message>> next() override;
-  [[nodiscard]] std::vector<Counter> counters() const override;
-  [[nodiscard]] const std::string& name() const override { return input_.name(); }
-  [[nodiscard]] Expected<void> allow(std::uint64_t points) const override { return input_.allow(points, 0); }
-
  private:
-  /// How far the file is read.
-  struct Progress {
-    std::uint64_t at = kVersion2.size();  // next record of the file
-    bool ended = false;
-    bool in_chunk = false;
-    Bytes chunk;                 // records of the chunk that is read
-    std::uint64_t chunk_at = 0;  // next record in it
-    std::string chunk_place;
-    std::uint64_t chunks = 0, bad_chunks = 0;
-    std::uint64_t records = 0, bad_records = 0;
-  };
-
   [[nodiscard]] Expected<void> read_bag_header();
   [[nodiscard]] Expected<bool> read_index();
-  [[nodiscard]] Expected<void> survey();
 
-  [[nodiscard]] Expected<std::optional<Message>> end();
-  [[nodiscard]] Expected<Record> record_at(std::uint64_t at);
-  [[nodiscard]] Expected<std::optional<Message>> read_record(const Record& record);
+  [[nodiscard]] Expected<Record> record_at(std::uint64_t at) override;
+  [[nodiscard]] std::uint64_t end_of(const Record& record) const override { return record.end(); }
+  [[nodiscard]] bool ends_data(const Record& /*record*/) const override { return false; }
+  [[nodiscard]] Expected<std::optional<Message>> read_record(const Record& record) override;
+  [[nodiscard]] Expected<std::optional<Message>> next_in_chunk() override;
+  [[nodiscard]] Expected<std::optional<Message>> end() override;
   [[nodiscard]] Expected<void> read_connection(const Record& record, std::string header);
   [[nodiscard]] Expected<std::optional<Message>> read_message(const Record& record,
                                                               const HeaderFields& fields);
-  [[nodiscard]] Expected<void> enter_chunk(const Record& record, const HeaderFields& fields);
-  [[nodiscard]] Expected<void> unpack_chunk(const Record& record, const HeaderFields& fields);
-  [[nodiscard]] Expected<std::optional<Message>> next_in_chunk();
+  [[nodiscard]] Expected<Chunk> unpack_chunk(const Record& record, const HeaderFields& fields);
   [[nodiscard]] Expected<std::optional<Message>> read_in_chunk(const Record& record);
   [[nodiscard]] std::optional<Record> record_in_chunk() const;
   [[nodiscard]] Expected<Message> message_of(const HeaderFields& fields, Bytes data, Place place) const;
   [[nodiscard]] bool define(const HeaderFields& fields, Bytes data);
   [[nodiscard]] bool count_messages(Bytes chunk_info);
-  [[nodiscard]] Error error(const Place& place, std::string what, std::string got = {},
-                            std::string need = {}) const;
 
-  Input input_;
-  Progress progress_;
   Buffer unpacked_;
-  std::uint64_t index_at_ = 0;  // of the index; 0: the bag was not closed
-  std::vector<Topic> topics_;
+  std::uint64_t index_at_ = 0;                        // of the index; 0: the bag was not closed
   std::map<std::uint32_t, std::size_t> connections_;  // index of the topic
 };
-
-Error Rosbag1::error(const Place& place, std::string what, std::string got, std::string need) const {
-  return {ErrorCode::kDamaged, input_.name(),  place.where(),
-          std::move(what),     std::move(got), std::move(need)};
-}
 
 /// The topic of a connection: its name stands in the record's header, the rest in its data.
 Topic topic_of(std::string_view name, const HeaderFields& data) {
@@ -167,7 +140,6 @@ bool Rosbag1::define(const HeaderFields& fields, Bytes data) {
   return true;
 }
 
-/// Lengths of the record at `at`, checked against what is left of the file.
 Expected<Record> Rosbag1::record_at(std::uint64_t at) {
   const auto too_long = [&](const char* what, std::uint64_t got, std::uint64_t need) {
     return Unexpected(error({{}, at}, what, fmt::format("{} B", got), fmt::format("<= {} B", need)));
@@ -236,21 +208,6 @@ Expected<bool> Rosbag1::read_index() {
   return !topics_.empty();
 }
 
-/// Reads the file through for its topics and how many messages each has. Where there are none and the file is
-/// damaged, the damage is why.
-Expected<void> Rosbag1::survey() {
-  topics_.clear();
-  connections_.clear();
-  std::optional<Error> trouble;
-  while (!progress_.ended) {
-    const auto message = next();
-    if (message && *message) ++topics_[(*message)->topic].messages;
-    if (!message && !trouble) trouble = message.error();
-  }
-  progress_ = {};
-  return nothing_but_damage(topics_, trouble);
-}
-
 Expected<void> Rosbag1::open() {
   const auto magic = input_.head(kVersion2.size());
   if (!magic) return Unexpected(magic.error());
@@ -265,12 +222,12 @@ Expected<void> Rosbag1::open() {
   }
   const auto index = read_index();
   if (!index) return Unexpected(index.error());
-  return *index ? Expected<void>{} : survey();
+  if (*index) return {};
+  connections_.clear();
+  return survey();
 }
 
-/// The end of the file: an error where the bag was not closed, or lacks its end.
 Expected<std::optional<Message>> Rosbag1::end() {
-  progress_.ended = true;
   if (index_at_ == 0) return Unexpected(error({{}, input_.size()}, "bag was not closed: it has no index"));
   if (index_at_ > input_.size()) {
     return Unexpected(error({{}, input_.size()}, "bag ends before its index",
@@ -317,28 +274,14 @@ Expected<void> Rosbag1::read_connection(const Record& record, std::string header
   return Unexpected(error({{}, record.at}, "connection is damaged"));
 }
 
-Expected<void> Rosbag1::unpack_chunk(const Record& record, const HeaderFields& fields) {
+Expected<Rosbag1::Chunk> Rosbag1::unpack_chunk(const Record& record, const HeaderFields& fields) {
   const auto packing = fields.text("compression");
   const auto size = fields.number<std::uint32_t>("size");
   if (!packing || !size) return Unexpected(error({{}, record.at}, "chunk has no compression or no size"));
   const auto records =
       read_chunk(input_, {record.data_at(), record.data_bytes, *size, std::string(*packing)}, unpacked_);
   if (!records) return Unexpected(records.error());
-  progress_.chunk = *records;
-  progress_.chunk_place = fmt::format("{}", record.data_at());
-  return {};
-}
-
-Expected<void> Rosbag1::enter_chunk(const Record& record, const HeaderFields& fields) {
-  ++progress_.chunks;
-  auto unpacked = unpack_chunk(record, fields);
-  if (!unpacked) {
-    ++progress_.bad_chunks;
-    return unpacked;
-  }
-  progress_.in_chunk = true;
-  progress_.chunk_at = 0;
-  return {};
+  return Chunk{*records, record.data_at()};
 }
 
 /// The next record of the chunk; none where it does not fit what is left.
@@ -369,7 +312,6 @@ Expected<std::optional<Message>> Rosbag1::read_in_chunk(const Record& record) {
   return *std::move(message);
 }
 
-/// The next message of the chunk; none behind its last.
 Expected<std::optional<Message>> Rosbag1::next_in_chunk() {
   Progress& p = progress_;
   while (p.chunk_at < p.chunk.size()) {
@@ -390,7 +332,6 @@ Expected<std::optional<Message>> Rosbag1::next_in_chunk() {
   return std::nullopt;
 }
 
-/// A record of the file: its message if it is one.
 Expected<std::optional<Message>> Rosbag1::read_record(const Record& record) {
   const auto bytes = input_.read(record.header_at(), record.header_bytes);
   if (!bytes) return Unexpected(bytes.error());
@@ -401,7 +342,7 @@ Expected<std::optional<Message>> Rosbag1::read_record(const Record& record) {
     case BagOp::kMessage:
       return read_message(record, *fields);
     case BagOp::kChunk:
-      read = enter_chunk(record, *fields);
+      read = enter_chunk(unpack_chunk(record, *fields));
       break;
     case BagOp::kConnection:
       read = read_connection(record, std::string(as_text(*bytes)));
@@ -413,49 +354,14 @@ Expected<std::optional<Message>> Rosbag1::read_record(const Record& record) {
   return std::nullopt;
 }
 
-Expected<std::optional<Message>> Rosbag1::next() {
-  Progress& p = progress_;
-  while (!p.ended) {
-    if (p.in_chunk) {
-      auto message = next_in_chunk();
-      if (!message || *message) return message;
-      continue;
-    }
-    if (p.at == input_.size()) return end();
-    ++p.records;
-    const auto record = record_at(p.at);
-    if (!record) {  // nothing says where the next record begins
-      p.ended = true;
-      ++p.bad_records;
-      return Unexpected(record.error());
-    }
-    p.at = record->end();
-    auto message = read_record(*record);
-    if (!message) ++p.bad_records;
-    if (!message || *message) return message;
-  }
-  return std::nullopt;
-}
-
-std::vector<Counter> Rosbag1::counters() const {
-  const Progress& p = progress_;
-  return {{"records received", p.records},          {"records used", p.records - p.bad_records},
-          {"records rejected", p.bad_records},      {"chunks received", p.chunks},
-          {"chunks used", p.chunks - p.bad_chunks}, {"chunks rejected", p.bad_chunks}};
-}
-
 }  // namespace
 
 Expected<std::unique_ptr<Bag>> open_rosbag1_bag(Input input) {
-  auto bag = std::make_unique<Rosbag1>(std::move(input));
-  if (auto opened = bag->open(); !opened) return Unexpected(std::move(opened).error());
-  return bag;
+  return open_bag_as<Rosbag1>(std::move(input));
 }
 
 Expected<std::unique_ptr<Recording>> open_rosbag1(Input input, const RecordingOptions& options) {
-  auto bag = open_rosbag1_bag(std::move(input));
-  if (!bag) return Unexpected(std::move(bag).error());
-  return open_bag(*std::move(bag), options);
+  return scans_of(open_rosbag1_bag(std::move(input)), options);
 }
 
 }  // namespace verge::io

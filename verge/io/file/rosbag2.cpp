@@ -316,9 +316,7 @@ void warn_of_wal(const std::filesystem::path& db3, const Log& log) {
 }
 
 Expected<std::unique_ptr<Recording>> open_db3(Input input, const RecordingOptions& options) {
-  auto bag = open_db3_bag(std::move(input));
-  if (!bag) return Unexpected(std::move(bag).error());
-  return open_bag(*std::move(bag), options);
+  return scans_of(open_db3_bag(std::move(input)), options);
 }
 
 std::vector<std::filesystem::path> find_rosbag2_files(const std::filesystem::path& folder) {

@@ -7,8 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "verge/io/input.hpp"
-#include "verge/sensor/velodyne/calibration.hpp"
+#include "verge/io/file/calibration_file.hpp"
 #include "verge/sensor/velodyne/facts.hpp"
 
 namespace verge::io {
@@ -21,15 +20,6 @@ Error usage(const std::string& name, std::string what, std::string got, std::str
 }
 
 }  // namespace
-
-Expected<velodyne::Calibration> read_calibration_file(const std::filesystem::path& path, std::size_t lasers) {
-  constexpr std::uint64_t kMost = (1ULL << 20U) + 1;  // what read_calibration() refuses
-  auto file = Input::open(path, {});
-  if (!file) return Unexpected(std::move(file).error());
-  const auto bytes = file->head(kMost);
-  if (!bytes) return Unexpected(bytes.error());
-  return velodyne::read_calibration(*bytes, path.string(), lasers);
-}
 
 Expected<velodyne::Model> velodyne_model(const std::string& model, const std::string& name) {
   const auto known = velodyne::model_named(model);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,10 +21,6 @@ inline constexpr std::string_view kVelodyneModels = "hdl32e, vlp16, vlp32c, hdl6
 /// The model with that name. Fails with kUsage; `name` stands in the error.
 [[nodiscard]] Expected<sensor::velodyne::Model> velodyne_model(const std::string& model,
                                                                const std::string& name);
-
-/// The calibration in a file. Fails as the file does, and as read_calibration().
-[[nodiscard]] Expected<sensor::velodyne::Calibration> read_calibration_file(const std::filesystem::path& path,
-                                                                            std::size_t lasers);
 
 /// Of what model the packets at a recording's begin are. One damaged packet, were it the first, must not
 /// decide for all others.
