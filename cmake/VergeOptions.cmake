@@ -28,3 +28,12 @@ if(VERGE_SANITIZE)
     -fsanitize=${VERGE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(verge_options INTERFACE -fsanitize=${VERGE_SANITIZE})
 endif()
+
+# Tests are compiled for a short build, since they are most of it: what they test is in the rooms' libraries, compiled in full.
+# Under the sanitizers the tests' own code keeps the checks of addresses and of arithmetic, not those of each pointer.
+set(VERGE_TEST_OPTIONS "")
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  set(VERGE_TEST_OPTIONS -O1)
+elseif(VERGE_SANITIZE MATCHES undefined)
+  set(VERGE_TEST_OPTIONS -O0 -fno-sanitize=null,alignment,vptr,object-size,nonnull-attribute,returns-nonnull-attribute)
+endif()

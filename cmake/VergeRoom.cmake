@@ -29,6 +29,7 @@ function(verge_test name)
   cmake_parse_arguments(TEST "" "SHARDS" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} verge_options GTest::gmock GTest::gtest_main rapidcheck)
+  set_source_files_properties(${TEST_SOURCES} PROPERTIES COMPILE_OPTIONS "${VERGE_TEST_OPTIONS}")
   # Property tests are replayable: the seed is fixed here; set RC_PARAMS by hand for others.
   string(REGEX REPLACE "_test$" "" subject ${name})
   if(TEST_SHARDS)
