@@ -77,6 +77,8 @@ void check_file(Bytes input, io::Format format) {
   const auto once = bounded(input, decode);
   const auto again = bounded(input, decode);
   require(once.has_value() == again.has_value());
+  // Where nobody says the format, it is told from the content, or the content is refused.
+  static_cast<void>(bounded(input, [&] { return io::decode(input, "fuzz"); }));
   if (!once) {
     require(to_string(once.error()) == to_string(again.error()) && !once.error().what.empty());
     return;

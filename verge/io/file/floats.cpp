@@ -4,13 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <string>
-#include <vector>
 
 #include <fmt/core.h>
-
-#include "verge/core/atomic_file.hpp"
 
 namespace verge::io {
 namespace {
@@ -52,21 +47,6 @@ Expected<void> check_coordinates(const Input& input, Bytes bytes, std::size_t co
   return Unexpected(input.error_at(ErrorCode::kUnusable, 0, what,
                                    fmt::format("{} of {} points plausible", check.coordinates, check.rows),
                                    "little-endian float32, at least half of them within 1e5 m"));
-}
-
-Expected<void> write_float_rows(const std::filesystem::path& path, std::span<const std::uint32_t> order,
-                                std::size_t columns,
-                                const std::function<void(std::uint32_t, std::span<float>)>& row) {
-  auto file = AtomicFile::create(path);
-  if (!file) return Unexpected(file.error());
-  std::vector<float> values(columns);
-  std::string bytes(columns * sizeof(float), '\0');
-  for (const std::uint32_t point : order) {
-    row(point, values);
-    std::memcpy(bytes.data(), values.data(), bytes.size());
-    if (auto written = file->write(bytes); !written) return written;
-  }
-  return file->commit();
 }
 
 }  // namespace verge::io

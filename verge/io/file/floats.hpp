@@ -3,10 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <span>
 
 #include "verge/core/bytes.hpp"
 #include "verge/io/input.hpp"
@@ -33,12 +29,6 @@ struct RowCheck {
 
 /// Fails with kUnusable where most of the coordinates cannot be metres of a scan.
 [[nodiscard]] Expected<void> check_coordinates(const Input& input, Bytes bytes, std::size_t columns);
-
-/// Row i of the file is what `row` fills in for point order[i] of the scan: so many float32, little-endian.
-/// Atomically.
-[[nodiscard]] Expected<void> write_float_rows(
-    const std::filesystem::path& path, std::span<const std::uint32_t> order, std::size_t columns,
-    const std::function<void(std::uint32_t point, std::span<float> row)>& row);
 
 /// The greatest ring that a .bin may name.
 inline constexpr float kRingMax = 127.0F;

@@ -2,31 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/file/kitti.hpp"
 
-#include <algorithm>
-#include <array>
-#include <numeric>
-#include <vector>
-
 #include <fmt/core.h>
 
 #include "verge/io/file/floats.hpp"
-#include "verge/scan/organise.hpp"
 
 namespace verge::io {
 namespace {
 
 constexpr std::size_t kStride = 4 * sizeof(float);
-
-/// Ring by ring from the top: as the points came, if they came so.
-std::vector<std::uint32_t> kitti_order(const Scan& scan) {
-  const std::vector<std::uint32_t> ring = ring_of_points(scan);
-  std::vector<std::uint32_t> order = input_order(scan);
-  const auto is_lower = [&](std::uint32_t a, std::uint32_t b) { return ring[a] > ring[b]; };
-  if (std::is_sorted(order.begin(), order.end(), is_lower)) return order;
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), is_lower);
-  return order;
-}
 
 }  // namespace
 
@@ -54,14 +37,6 @@ Expected<Decoded> read_kitti(Input& input) {
     cloud.intensity[i] = load_le<float>(point, 12);
   }
   return out;
-}
-
-Expected<void> write_kitti(const std::filesystem::path& path, const Scan& scan) {
-  return write_float_rows(path, kitti_order(scan), 4, [&](std::uint32_t i, std::span<float> row) {
-    const float intensity = scan.intensity.empty() ? 0.0F : scan.intensity[i];
-    const std::array<float, 4> point{scan.x[i], scan.y[i], scan.z[i], intensity};
-    std::copy(point.begin(), point.end(), row.begin());
-  });
 }
 
 }  // namespace verge::io

@@ -5,11 +5,15 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "verge/core/vec.hpp"
 #include "verge/io/input.hpp"
 
 namespace verge::io {
+
+/// "Generating software" of the files that we write: their user data are rings.
+inline constexpr std::string_view kLasSoftware = "verge";
 
 /// What the header of a LAS file says of its points (ASPRS LAS 1.4-R15, tables 3 and 5 to 17).
 struct LasHeader {

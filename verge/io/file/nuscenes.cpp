@@ -2,12 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/file/nuscenes.hpp"
 
-#include <algorithm>
-#include <array>
 #include <limits>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include <fmt/core.h>
 
@@ -64,16 +59,6 @@ Expected<Decoded> read_nuscenes(Input& input) {
   if (bad > 0)
     out.notes.push_back(fmt::format("{} of {} points have no valid ring and are dropped", bad, points));
   return out;
-}
-
-Expected<void> write_nuscenes(const std::filesystem::path& path, const Scan& scan) {
-  const std::vector<std::uint32_t> ring = ring_of_points(scan);
-  return write_float_rows(path, input_order(scan), 5, [&](std::uint32_t i, std::span<float> row) {
-    const float intensity = scan.intensity.empty() ? 0.0F : scan.intensity[i];
-    const std::array<float, 5> point{-scan.y[i], scan.x[i], scan.z[i], intensity,
-                                     static_cast<float>(ring[i])};
-    std::copy(point.begin(), point.end(), row.begin());
-  });
 }
 
 }  // namespace verge::io

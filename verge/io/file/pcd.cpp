@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/file/pcd.hpp"
 
-#include <array>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,7 +11,6 @@
 #include "verge/io/file/columns.hpp"
 #include "verge/io/file/lzf.hpp"
 #include "verge/io/file/pcd_header.hpp"
-#include "verge/io/file/point_table.hpp"
 #include "verge/io/file/rows.hpp"
 #include "verge/io/text.hpp"
 
@@ -123,29 +120,6 @@ Expected<Decoded> read_ascii(Input& input, const PcdHeader& header) {
   return read_rows(input, lines, cells, static_cast<std::size_t>(header.points));
 }
 
-/// One header line of a PCD file: its key and an entry for each column.
-template <class Entry>
-std::string header_line(std::string_view key, const std::vector<TableColumn>& table, Entry entry) {
-  std::string line(key);
-  for (const TableColumn& column : table) line += fmt::format(" {}", entry(column));
-  return line + '\n';
-}
-
-char letter_of(Scalar type) {
-  if (!is_integer(type)) return 'F';
-  return type == Scalar::kI64 ? 'I' : 'U';
-}
-
-std::string header_text(const std::vector<TableColumn>& table, std::size_t points) {
-  std::string text = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n";
-  text += header_line("FIELDS", table, [](const TableColumn& c) { return c.name; });
-  text += header_line("SIZE", table, [](const TableColumn& c) { return size_of(type_of(c)); });
-  text += header_line("TYPE", table, [](const TableColumn& c) { return letter_of(type_of(c)); });
-  text += header_line("COUNT", table, [](const TableColumn& /*c*/) { return 1; });
-  return text +
-         fmt::format("WIDTH {0}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {0}\nDATA binary\n", points);
-}
-
 }  // namespace
 
 Expected<Decoded> read_pcd(Input& input) {
@@ -169,11 +143,6 @@ Expected<Decoded> read_pcd(Input& input) {
   if (out && header->has_viewpoint)
     out->notes.emplace_back("VIEWPOINT is not applied: points stay as they are stored");
   return out;
-}
-
-Expected<void> write_pcd(const std::filesystem::path& path, const Scan& scan) {
-  const std::vector<TableColumn> table = point_table(scan, TableTime::kAbsolute);
-  return write_table(path, header_text(table, scan.size()), table, scan.size());
 }
 
 }  // namespace verge::io

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/file/ply.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -12,7 +11,6 @@
 
 #include "verge/io/file/columns.hpp"
 #include "verge/io/file/ply_header.hpp"
-#include "verge/io/file/point_table.hpp"
 #include "verge/io/file/rows.hpp"
 #include "verge/io/text.hpp"
 
@@ -220,22 +218,6 @@ Expected<Decoded> read_ascii(Input& input, const PlyHeader& header) {
   return read_rows(input, lines, cells, static_cast<std::size_t>(vertex.count), last);
 }
 
-std::string_view name_of(Scalar type) {
-  constexpr std::array<std::string_view, 10> kNames{"char", "uchar", "short", "ushort", "int",
-                                                    "uint", "",      "",      "float",  "double"};
-  return kNames[static_cast<std::size_t>(type)];
-}
-
-std::string header_text(const std::vector<TableColumn>& table, const Scan& scan) {
-  std::string text = "ply\nformat binary_little_endian 1.0\n";
-  if (scan.stamp_ns) text += fmt::format("comment {}{}\n", kPlyStamp, *scan.stamp_ns);
-  text += fmt::format("element vertex {}\n", scan.size());
-  for (const TableColumn& column : table) {
-    text += fmt::format("property {} {}\n", name_of(type_of(column)), column.name);
-  }
-  return text + "end_header\n";
-}
-
 }  // namespace
 
 Expected<Decoded> read_ply(Input& input) {
@@ -248,11 +230,6 @@ Expected<Decoded> read_ply(Input& input) {
       header->data == PlyData::kAscii ? read_ascii(input, *header) : BinaryReader(input, *header).read();
   if (out && header->stamp_ns) out->stamp_ns = header->stamp_ns;
   return out;
-}
-
-Expected<void> write_ply(const std::filesystem::path& path, const Scan& scan) {
-  const std::vector<TableColumn> table = point_table(scan, TableTime::kOffset);
-  return write_table(path, header_text(table, scan), table, scan.size());
 }
 
 }  // namespace verge::io
