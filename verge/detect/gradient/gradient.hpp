@@ -8,14 +8,9 @@
 
 #include "verge/core/fields.hpp"
 #include "verge/detect/detector.hpp"
+#include "verge/detect/reading.hpp"
 
 namespace verge::detect {
-
-/// How a paper's text is taken where it is misprinted, ambiguous or silent.
-enum class Reading : std::uint8_t {
-  kFixed,  ///< Misprints put right and gaps filled; docs/methods.md lists each.
-  kPaper,  ///< As printed, where that can run.
-};
 
 /// How gradient points are parted into clusters once K is known.
 enum class Clustering : std::uint8_t {
@@ -27,8 +22,6 @@ enum class Clustering : std::uint8_t {
 }  // namespace verge::detect
 
 namespace verge {
-template <>
-inline constexpr std::array enum_names<detect::Reading> = std::to_array<std::string_view>({"fixed", "paper"});
 template <>
 inline constexpr std::array enum_names<detect::Clustering> =
     std::to_array<std::string_view>({"runs", "kmeans"});
