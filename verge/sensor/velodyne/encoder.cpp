@@ -101,7 +101,7 @@ void find_second_blocks(Shots& shots) {
   std::int64_t newest_ns = std::numeric_limits<std::int64_t>::min();
   for (auto& shot : shots) {
     if (!shot.firing) continue;
-    if (shot.step_ns <= newest_ns) {
+    if (before != nullptr && shot.step_ns <= newest_ns) {
       const bool again = shot.step_ns < before->step_ns || place(shot) <= place(*before);
       shot.second = before->second || again;
     }
@@ -245,7 +245,7 @@ Encoder::Return Encoder::missing_echo(const Return& other, bool is_second,
 
 /// Which of four steps are of the lower bank, in a packet of an HDL-64E S1: as those with returns say, for
 /// the decoder knows the series by that.
-std::size_t Encoder::lower_step(const OpenPacket& packet) const {
+std::size_t Encoder::lower_step(const OpenPacket& packet) {
   std::array<bool, kStepsOfSeries1> is_upper{};
   for (std::size_t number = 0; number < packet.steps.size(); ++number) {
     const std::optional<std::size_t> bank = packet.steps[number].bank;
@@ -260,7 +260,8 @@ void Encoder::fill_step(RawPacket& packet, std::size_t number, const Step& step,
                         std::size_t lower) const {
   const std::size_t banks = facts_.banks_share_step ? 2 : 1;
   const std::size_t echoes = packet.mode == kModeDual ? 2 : 1;
-  const std::size_t only_bank = step.bank.value_or(number % kStepsOfSeries1 == lower ? 1 : 0);
+  const std::size_t only_bank =
+      step.bank.value_or(static_cast<std::size_t>(number % kStepsOfSeries1 == lower));
   for (std::size_t b = 0; b < banks * echoes; ++b) {
     const std::size_t bank = banks_take_turns(facts_) ? only_bank : b % banks;
     RawBlock& block = packet.blocks[number * banks * echoes + b];
