@@ -61,6 +61,7 @@ const std::vector<Section>& sections() {
       plain("vehicle", [](sim::Scenario& s) -> auto& { return s.course; }),
       listed("vehicle.piece", {}, [](sim::Scenario& s) -> auto& { return s.course.pieces; }),
       plain("mount", [](sim::Scenario& s) -> auto& { return s.stand; }),
+      plain("weather", [](sim::Scenario& s) -> auto& { return s.weather; }),
       listed("road", {}, [](sim::Scenario& s) -> auto& { return s.roads; }),
       of_road("road.piece", &sim::RoadConfig::pieces),
       of_road("road.width", &sim::RoadConfig::widths),
@@ -186,7 +187,7 @@ Expected<sim::Scenario> read_scenario(const std::filesystem::path& file) {
 
 std::string to_toml(const sim::Scenario& scenario) {
   std::string text = "# What is left out has its default: verge simulate --keys\n\n";
-  for (const std::string_view name : {"ground", "vehicle", "mount"})
+  for (const std::string_view name : {"ground", "vehicle", "mount", "weather"})
     add_table(text, scenario, *section_named(name));
   sim::Scenario one;
   for (const sim::Piece& piece : scenario.course.pieces) {

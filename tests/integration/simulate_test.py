@@ -24,7 +24,8 @@ class Simulate(CliTest):
     def test_a_drive_is_scans_as_nuscenes_stores_them_with_labels_and_a_line_of_truth_for_each(self):
         files = self.simulate("drive", scans=3)
         self.assertEqual(list(files), [f"LIDAR_TOP/00000{i}.pcd.bin" for i in range(3)] +
-                         [f"labels/00000{i}.label" for i in range(3)] + ["scenario.toml", "truth.jsonl"])
+                         [f"lidarseg/00000{i}_lidarseg.bin" for i in range(3)] +
+                         ["poses.csv", "scenario.toml", "truth.jsonl"])
         truth = self.records(files["truth.jsonl"])
         self.assertEqual([scene["frame"] for scene in truth], ["000000", "000001", "000002"])
         for scene in truth:
@@ -32,9 +33,11 @@ class Simulate(CliTest):
             for boundary in scene["boundaries"]:
                 self.assertEqual((boundary["model"], boundary["kind"]), ("line", "curb"))
             points = len(files[f"LIDAR_TOP/{scene['frame']}.pcd.bin"]) // 20
-            labels = memoryview(files[f"labels/{scene['frame']}.label"]).cast("I")
+            labels = files[f"lidarseg/{scene['frame']}_lidarseg.bin"]
             self.assertEqual(len(labels), points)
-            self.assertLessEqual({0, 1, 2, 4}, {label & 0xFFFF for label in labels})  # road, curb, sidewalk, wall
+            self.assertLessEqual({24, 26, 28}, set(labels))  # driveable, sidewalk, manmade
+        poses = files["poses.csv"].decode().splitlines()
+        self.assertEqual([line.split(",")[0] for line in poses], ["frame", "000000", "000001", "000002"])
 
     def test_the_scans_are_those_of_a_32_ring_scanner_on_a_roof(self):
         self.simulate("drive", scans=3)
@@ -44,6 +47,29 @@ class Simulate(CliTest):
         self.assertGreater(facts["points"]["min"], 50000)
         self.assertAlmostEqual(facts["mount"]["height_m"]["median"], 1.9, delta=0.03)
         self.assertAlmostEqual(facts["mount"]["pitch_deg"]["median"], 0.573, delta=0.1)
+
+    def test_every_sensor_has_its_recording_beside_the_labels_of_its_points(self):
+        for sensor, format, recording, rings in (
+                ("vlp16", "pcap", "recording.pcap", 16), ("vlp32c", "mcap", "recording.mcap", 32),
+                ("hdl64e", "kitti", "velodyne", 64), ("lux", None, "recording.idc", 4),
+                ("alasca_xt", None, "recording.alasca", 4), ("lux", "csv", "scans", 4)):
+            with self.subTest(sensor=sensor, format=format):
+                name = f"{sensor}-{format}"
+                files = self.simulate(name, "--sensor", sensor, *(("--format", format) if format else ()),
+                                      scenario=("paper2",))
+                facts = json.loads(run("info", self.folder / name / recording, "--json").stdout)
+                self.assertGreaterEqual(facts["scans"]["used"], 2)  # a filled up packet may begin another
+                self.assertEqual(facts["rings"]["max"], rings)
+                labels = [len(files[f"labels/00000{i}.label"]) // 4 for i in range(2)]
+                self.assertEqual(sum(labels), facts["points_total"]["received"])
+
+    def test_weather_and_noise_are_set_and_kept(self):
+        dry = self.simulate("dry", scans=1)
+        wet = self.simulate("wet", "--set", "weather.rain_mmph=30", "--set", "weather.rain_echoes=0.5",
+                            "--set", "noise.beam_rays=2", scans=1)
+        self.assertIn(b"rain_mmph = 30", wet["scenario.toml"])
+        self.assertEqual(wet["lidarseg/000000_lidarseg.bin"].count(0) > 100, True)  # drops
+        self.assertEqual(dry["lidarseg/000000_lidarseg.bin"].count(0), 0)
 
     def test_the_same_seed_gives_the_same_bytes_and_another_seed_others(self):
         first = self.simulate("first", "--seed", 5)
@@ -146,7 +172,7 @@ length_m = 30
 
     def test_every_key_is_told_with_its_unit_range_and_meaning(self):
         text = run("simulate", "--keys").stdout.decode()
-        for section in ("[ground]", "[vehicle]", "[[vehicle.piece]]", "[mount]", "[[road]]", "[[road.piece]]",
+        for section in ("[ground]", "[vehicle]", "[[vehicle.piece]]", "[mount]", "[weather]", "[[road]]", "[[road.piece]]",
                         "[[road.width]]", "[[road.height]]", "[[road.gap]]", "[[road.bay]]", "[[road.island]]",
                         "[[road.row]]", "[[road.thing]]"):
             self.assertIn(f"\n{section}\n", "\n" + text)
@@ -172,7 +198,11 @@ length_m = 30
         for arguments in (("street", "--scans", "0"), ("river",), ("street", "--noise-m", "-1"),
                           ("street", "--speed-kmh", "nan"), ("street", "--seed", "-1"), ("street", "--seed", "x"),
                           ("street", "more"), ("street", "--sensor", "eye"), ("none.toml",), (),
-                          ("street", "--scans", "99999")):
+                          ("street", "--scans", "99999"), ("street", "--format", "tape"),
+                          ("street", "--format", "db3"), ("street", "--format", "idc"),
+                          ("street", "--sensor", "lux", "--format", "pcap"), ("street", "--rate-hz", "30"),
+                          ("street", "--set", "weather.sun=1"), ("street", "--set", "rain=1"),
+                          ("street", "--set", "noise.reach=-1")):
             with self.subTest(arguments=arguments):
                 self.check_refused(run("simulate", *arguments, "-o", self.folder / "drive"), 2)
         self.check_refused(run("simulate"), 2)
@@ -192,7 +222,7 @@ length_m = 30
         names = [path.name.split(".")[0] for path in sorted((folder / "LIDAR_TOP").iterdir())]
         frames = [scene["frame"] for scene in self.records(folder / "truth.jsonl")]
         self.assertEqual(frames, names)
-        self.assertEqual(len(list((folder / "labels").iterdir())), len(names))
+        self.assertEqual(len(list((folder / "lidarseg").iterdir())), len(names))
         self.assertEqual(self.leftovers(folder) + self.leftovers(folder / "LIDAR_TOP"), [])
 
 

@@ -18,7 +18,8 @@ struct SinkOptions {
   std::optional<Format> format{};      ///< None: by the name's suffix.
   std::optional<std::string> model{};  ///< Whose messages a capture or stream holds; none: the scans' own.
   std::optional<std::filesystem::path> calibration{};  ///< Of the sensor; none: the model's own angles.
-  Log log{};                                           ///< What is lost, one line.
+  bool position_packets = false;  ///< Captures also hold a locked receiver's position packets.
+  Log log{};                      ///< What is lost, one line.
 };
 
 /// Where scans go: a file each, or all in one recording.

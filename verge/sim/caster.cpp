@@ -149,10 +149,12 @@ std::optional<Hit> refine(const World& world, unsigned int triangle, Vec3 origin
   const Vec3 normal = cross(world.vertices[corner[1]] - a, world.vertices[corner[2]] - a);
   const double approach = dot(normal, direction);
   if (approach == 0.0) return std::nullopt;
+  const double scale = 1.0 / norm(normal);
   return Hit{.distance_m = dot(normal, a - origin) / approach,
              .surface = world.surface[triangle],
-             .cos_incidence = std::fabs(approach) / norm(normal),
-             .object = world.object[triangle]};
+             .cos_incidence = std::fabs(approach) * scale,
+             .object = world.object[triangle],
+             .normal = scale * normal};
 }
 
 RTCIntersectContext make_context(RTCIntersectContextFlags flags) {
@@ -210,8 +212,10 @@ std::optional<Hit> Caster::exact(unsigned int geometry, unsigned int instance, u
   }
   const std::size_t body = instance - 1;
   const Pose& T_body_world = moment_->T_body_world[body];
-  return refine(trees_->bodies[body].world, triangle, T_body_world * ray.origin,
-                rotate(T_body_world.rotation, ray.direction));
+  auto hit = refine(trees_->bodies[body].world, triangle, T_body_world * ray.origin,
+                    rotate(T_body_world.rotation, ray.direction));
+  if (hit) hit->normal = rotate(inverse(T_body_world).rotation, hit->normal);
+  return hit;
 }
 
 RTCSceneTy* Caster::scene() const {

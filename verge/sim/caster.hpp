@@ -22,6 +22,7 @@ struct Hit {
   Surface surface = Surface::kGround;
   double cos_incidence = 1.0;  ///< Of the angle between the ray and the surface's normal, 0..1.
   std::uint32_t object = 0;    ///< As World::object.
+  Vec3 normal;                 ///< Of the surface, on either side; a unit vector in the world frame.
 };
 
 /// A ray: its origin, and its direction as a unit vector, in the world frame.

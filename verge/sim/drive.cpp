@@ -126,14 +126,16 @@ Pose Drive::T_world_sensor(std::int64_t time_ns) const {
 
 Simulated Drive::scan(std::uint64_t index) const {
   const Course& course = config_.scenario.course;
-  const std::int64_t period_ns = sensor::revolution_ns(config_.sensor);
+  const std::int64_t period_ns = config_.sensor.period_ns;
   const std::int64_t from_ns = static_cast<std::int64_t>(index) * period_ns;
   const double middle_s = 1e-9 * (static_cast<double>(from_ns) + 0.5 * static_cast<double>(period_ns));
   const Caster world = world_.at(furniture_.poses_of_bodies(middle_s));
-  const SampledTrajectory sampled(*this, from_ns, from_ns + period_ns + config_.sensor.firing_period_ns);
+  const std::int64_t before_ns =
+      std::max<std::int64_t>(0, from_ns - kPoseStep_ns);  // for the head's rounding
+  const SampledTrajectory sampled(*this, before_ns, from_ns + period_ns + kPoseStep_ns);
 
   Simulated out;
-  out.scan = simulate_revolution(world, config_.sensor, sampled, index, config_.noise);
+  out.scan = simulate_scan(world, config_.sensor, sampled, index, config_.noise, config_.scenario.weather);
   const std::int64_t begin_ns = *out.scan.stamp_ns;
   out.scan.stamp_ns = config_.stamp_begin_ns + begin_ns;
 

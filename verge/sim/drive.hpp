@@ -4,17 +4,17 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "verge/model/scene.hpp"
 #include "verge/scan/mount.hpp"
 #include "verge/scan/scan.hpp"
-#include "verge/sensor/beam_model.hpp"
-#include "verge/sensor/hdl32e.hpp"
 #include "verge/sim/caster.hpp"
 #include "verge/sim/furniture.hpp"
 #include "verge/sim/land.hpp"
 #include "verge/sim/lidar.hpp"
 #include "verge/sim/scenario.hpp"
+#include "verge/sim/sensors.hpp"
 #include "verge/sim/truth.hpp"
 
 namespace verge::sim {
@@ -22,7 +22,7 @@ namespace verge::sim {
 /// A vehicle with one sensor in a scenario.
 struct DriveConfig {
   Scenario scenario;
-  sensor::BeamModel sensor = sensor::hdl32e();
+  LidarModel sensor = sensor_named("hdl32e");
   NoiseConfig noise;
   std::int64_t stamp_begin_ns = 0;  ///< Stamp of time 0, ns since the Unix epoch.
   double truth_radius_m = 30.0;
@@ -44,6 +44,7 @@ class Drive {
 
   [[nodiscard]] const DriveConfig& config() const { return config_; }
   [[nodiscard]] const Land& land() const { return land_; }
+  [[nodiscard]] const std::vector<Placed>& things() const { return furniture_.things(); }
 
   /// How far the vehicle can go; none where it stands or its road is a loop.
   [[nodiscard]] std::optional<double> way_m() const;

@@ -18,6 +18,7 @@
 
 #include "verge/core/angle.hpp"
 #include "verge/core/polyline.hpp"
+#include "verge/sensor/hdl32e.hpp"
 #include "verge/sim/ready.hpp"
 
 namespace verge::sim {
@@ -29,6 +30,7 @@ DriveConfig exact(const Scenario& scenario) {
   config.scenario = scenario;
   config.noise.range_sigma_m = 0.0;
   config.noise.dropout_at_range_max = 0.0;
+  config.noise.reach = 0.0;
   config.sensor.range_resolution_m = 0.0;
   return config;
 }
@@ -138,7 +140,7 @@ TEST(Deskew, AScanAt60KilometresAnHourAgreesWithTheStaticWorld) {
     return Pose{from_yaw_pitch_roll(0.2 * t, 0.0, 0.0), {speed * t, 0.0, 1.9}};
   };
   const DriveConfig config = exact("straight");
-  const Scan skewed = simulate_revolution(caster, config.sensor, driving, 0, config.noise);
+  const Scan skewed = simulate_scan(caster, config.sensor, driving, 0, config.noise);
   const Pose T_world_sensor = *skewed.T_world_sensor;
   EXPECT_GT(wall_error(skewed, T_world_sensor, 40.0), 0.5 * speed * 0.1);
   EXPECT_LT(wall_error(deskew(skewed), T_world_sensor, 40.0), 1e-4);
@@ -238,7 +240,10 @@ TEST(ReadyScenarios, AllCanBeDrivenAndHaveAWayOfTenScansOrMore) {
     SCOPED_TRACE(ready.name);
     DriveConfig config;
     config.scenario = ready.make();
-    config.sensor.firing_period_ns *= 16;  // fewer shots
+    sensor::BeamModel facts = sensor::hdl32e();
+    facts.firing_period_ns *= 16;  // fewer shots
+    facts.block_ns *= 16;
+    config.sensor = spinning_lidar(facts, config.sensor.optics);
     const Drive drive(config);
     const Simulated s = drive.scan(0);
     EXPECT_GT(s.scan.size(), 1000U);

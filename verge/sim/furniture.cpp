@@ -16,13 +16,6 @@ Vec3 size_of(Thing what, double length, double width, double height) {
   return {length > 0.0 ? length : usual.x, width > 0.0 ? width : usual.y, height > 0.0 ? height : usual.z};
 }
 
-// Whether the stretch of the road's edge lies in a mouth of a branch.
-bool in_mouth(const Outline& outline, std::size_t road, RoadSide side, double from, double to) {
-  return std::any_of(outline.mouths.begin(), outline.mouths.end(), [&](const Mouth& mouth) {
-    return mouth.road == road && mouth.side == side && from < mouth.end_m && to > mouth.begin_m;
-  });
-}
-
 // From the edge to the middle of a row.
 double middle_beside(const Row& row, double width) {
   return row.beside_m < 0.0 ? row.beside_m - 0.5 * width : row.beside_m + 0.5 * width;

@@ -2,167 +2,163 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/sim/lidar.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "verge/core/field_io.hpp"
 #include "verge/scan/organise.hpp"
 #include "verge/sim/noise.hpp"
 
 namespace verge::sim {
 namespace {
 
-/// One shot that came back.
-struct Return {
-  Vec3 p_sensor;
-  float intensity = 0.0F;
-  std::uint32_t label = 0;
+constexpr std::size_t kShotsAtATime = 32;  // whatever the number of threads
+
+/// An echo and the shot that it is of.
+struct ReturnOfShot {
+  Return echo;
+  std::size_t shot = 0;
 };
 
-/// Firings [begin, end) counted from the start of the drive.
-struct Firings {
-  std::int64_t begin = 0;
-  std::int64_t end = 0;
-};
-
-bool positive(double value) { return std::isfinite(value) && value > 0.0; }
-bool not_negative(double value) { return std::isfinite(value) && value >= 0.0; }
-
-void check(const sensor::BeamModel& model, const NoiseConfig& noise) {
-  const bool has_lasers = !model.lasers.empty();
-  const bool turns = positive(model.rate_hz) && model.firing_period_ns > 0;
-  const bool ranges = positive(model.range_max_m) && not_negative(model.range_resolution_m);
-  if (!has_lasers || !turns || !ranges) throw std::invalid_argument("the sensor's model is not complete");
-  if (!not_negative(noise.range_sigma_m)) {
-    throw std::invalid_argument("the deviation of the noise must not be negative");
-  }
-  if (!not_negative(noise.dropout_at_range_max) || noise.dropout_at_range_max > 1.0) {
-    throw std::invalid_argument("the share of lost returns must be 0 to 1");
-  }
-}
-
-Firings firings_of(const sensor::BeamModel& model, std::uint64_t index) {
-  const auto first_at_or_after = [&](std::int64_t revolution) {
-    const std::int64_t time_ns = revolution * sensor::revolution_ns(model);
-    return (time_ns + model.firing_period_ns - 1) / model.firing_period_ns;
+/// Offsets of the rays of a beam from its middle, as tangents across and up.
+std::vector<Vec2> cross_section(const Optics& optics, std::int64_t rays) {
+  std::vector<Vec2> offsets;
+  const auto place = [&](std::int64_t i) {
+    return (static_cast<double>(i) + 0.5) / static_cast<double>(rays) - 0.5;
   };
-  const auto revolution = static_cast<std::int64_t>(index);
-  return {first_at_or_after(revolution), first_at_or_after(revolution + 1)};
+  for (std::int64_t row = 0; row < rays; ++row) {
+    for (std::int64_t column = 0; column < rays; ++column) {
+      offsets.push_back({optics.across_rad * place(column), optics.up_rad * place(row)});
+    }
+  }
+  return offsets;
 }
 
-// Azimuth of the head: pi at the start of each revolution.
-double azimuth_at(const sensor::BeamModel& model, std::int64_t time_ns) {
-  const std::int64_t revolution_ns = sensor::revolution_ns(model);
-  const double share = static_cast<double>(time_ns % revolution_ns) / static_cast<double>(revolution_ns);
-  const double turned = 2.0 * std::numbers::pi * share;
-  return model.clockwise ? std::numbers::pi - turned : turned - std::numbers::pi;
+// Two rays each to the left, to the right, above and below, one of them half as far.
+std::vector<Vec2> around(double bloom_rad) {
+  std::vector<Vec2> offsets;
+  if (!(bloom_rad > 0.0)) return offsets;
+  for (const double far : {0.5 * bloom_rad, bloom_rad}) {
+    for (const Vec2 way : {Vec2{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}})
+      offsets.push_back(far * way);
+  }
+  return offsets;
 }
 
-Vec3 direction_of(double azimuth_rad, double elevation_rad) {
-  const double level = std::cos(elevation_rad);
-  return {level * std::cos(azimuth_rad), level * std::sin(azimuth_rad), std::sin(elevation_rad)};
-}
+/// A direction turned by small angles to the side and up.
+class Turned {
+ public:
+  explicit Turned(Vec3 direction) : ahead_(direction) {
+    const double level = norm(direction.xy());
+    if (level > 0.0) across_ = {-direction.y / level, direction.x / level, 0.0};
+    up_ = cross(ahead_, across_);
+  }
+  [[nodiscard]] Vec3 by(Vec2 offset) const {
+    if (offset.x == 0.0 && offset.y == 0.0) return ahead_;
+    const Vec3 turned = ahead_ + offset.x * across_ + offset.y * up_;
+    return (1.0 / norm(turned)) * turned;
+  }
 
-// Calibrated reflectivity in per cent of dry, clean surfaces: asphalt, concrete, paving, grass, plaster,
-// galvanised steel, leaves, paint, clothes, orange plastic.
-float reflectivity(Surface surface) {
-  static constexpr std::array<float, enum_names<Surface>.size()> kPercent = {
-      12.0F, 35.0F, 28.0F, 45.0F, 60.0F, 55.0F, 50.0F, 40.0F, 30.0F, 70.0F};
-  return kPercent.at(static_cast<std::size_t>(surface));
-}
+ private:
+  Vec3 ahead_;
+  Vec3 across_{0.0, 1.0, 0.0};
+  Vec3 up_;
+};
 
-bool is_lost(double distance, const sensor::BeamModel& model, const NoiseConfig& noise, const RayKey& key) {
-  const double share = distance / model.range_max_m;
-  return uniform(key, Draw::kDropout) < noise.dropout_at_range_max * share * share;
-}
-
-// The range that the sensor reports for a surface at that distance.
-std::optional<double> measured_range(double distance, const sensor::BeamModel& model,
-                                     const NoiseConfig& noise, const RayKey& key) {
-  if (is_lost(distance, model, noise, key)) return std::nullopt;
-  double range = distance;
-  if (noise.range_sigma_m > 0.0) range += noise.range_sigma_m * gaussian(key, Draw::kRangeNoise);
-  const double step = model.range_resolution_m;
-  if (step > 0.0) range = step * std::round(range / step);
-  if (range <= 0.0 || range < model.range_min_m || range > model.range_max_m) return std::nullopt;
-  return range;
-}
-
-/// What the shots of a revolution need to know.
+/// What the shots of a scan need to know.
 struct Shooter {
   const Caster& world;
-  const sensor::BeamModel& model;
+  const LidarModel& model;
   const Trajectory& T_world_sensor_at;
   const NoiseConfig& noise;
+  const Weather& weather;
   std::uint64_t index;
+  std::vector<Vec2> section;
+  std::vector<Vec2> beside;
 
-  [[nodiscard]] std::optional<Return> measure(const Hit& hit, Vec3 direction, std::uint64_t ray) const {
-    const auto range = measured_range(hit.distance_m, model, noise, {noise.seed, index, ray});
-    if (!range) return std::nullopt;
-    return Return{*range * direction, reflectivity(hit.surface), label_of(hit.surface, hit.object)};
+  // Shots [begin, end) of the plan, each from where the sensor stands at its own time.
+  [[nodiscard]] std::vector<ReturnOfShot> fire(const ShotPlan& plan, std::size_t begin,
+                                               std::size_t end) const {
+    const std::vector<Ray> rays = rays_of(plan, begin, end, section);
+    const std::vector<Ray> rays_beside = rays_of(plan, begin, end, beside);
+    std::vector<std::optional<Hit>> hits(rays.size());
+    std::vector<std::optional<Hit>> hits_beside(rays_beside.size());
+    world.cast(rays, hits);
+    world.cast(rays_beside, hits_beside);
+    Receiver receiver(world, model, noise, weather);
+    std::vector<Return> echoes;
+    std::vector<ReturnOfShot> returns;
+    for (std::size_t shot = begin; shot < end; ++shot) {
+      const std::size_t i = shot - begin;
+      echoes.clear();
+      receiver.receive(plan.shots[shot], std::span(rays).subspan(i * section.size(), section.size()),
+                       std::span(hits).subspan(i * section.size(), section.size()),
+                       std::span(hits_beside).subspan(i * beside.size(), beside.size()),
+                       {noise.seed, index, shot}, echoes);
+      for (const Return& echo : echoes) returns.push_back({echo, shot});
+    }
+    return returns;
   }
 
-  // Every laser once, each from where the sensor stands at its own time.
-  void fire(std::int64_t start_ns, std::uint64_t first_ray, std::optional<Return>* returns) const {
-    const std::size_t count = model.lasers.size();
-    std::vector<Vec3> directions(count);
-    std::vector<Ray> rays(count);
-    std::vector<std::optional<Hit>> hits(count);
-    for (std::size_t j = 0; j < count; ++j) {
-      const std::int64_t time_ns = start_ns + model.lasers[j].time_ns;
-      directions[j] = direction_of(azimuth_at(model, time_ns), model.lasers[j].elevation_rad);
-      const Pose T_world_sensor = T_world_sensor_at(time_ns);
-      rays[j] = {T_world_sensor.translation, rotate(T_world_sensor.rotation, directions[j])};
+  [[nodiscard]] std::vector<Ray> rays_of(const ShotPlan& plan, std::size_t begin, std::size_t end,
+                                         const std::vector<Vec2>& offsets) const {
+    std::vector<Ray> rays;
+    rays.reserve((end - begin) * offsets.size());
+    for (std::size_t i = begin; i < end && !offsets.empty(); ++i) {
+      const Shot& shot = plan.shots[i];
+      const Pose T_world_sensor = T_world_sensor_at(shot.time_ns);
+      const Turned turned(shot.direction);
+      for (const Vec2 offset : offsets) {
+        rays.push_back({T_world_sensor * shot.origin, rotate(T_world_sensor.rotation, turned.by(offset))});
+      }
     }
-    world.cast(rays, hits);
-    for (std::size_t j = 0; j < count; ++j) {
-      if (hits[j]) returns[j] = measure(*hits[j], directions[j], first_ray + j);
-    }
+    return rays;
   }
 };
 
-// One slot a shot, in the order of firing; each thread fills its own slots.
-std::vector<std::optional<Return>> shoot_all(const Shooter& shooter, Firings firings) {
-  const std::size_t lasers = shooter.model.lasers.size();
-  const auto count = static_cast<std::size_t>(firings.end - firings.begin);
-  std::vector<std::optional<Return>> returns(count * lasers);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t firing) {
-    const std::int64_t start_ns =
-        (firings.begin + static_cast<std::int64_t>(firing)) * shooter.model.firing_period_ns;
-    shooter.fire(start_ns, firing * lasers, returns.data() + firing * lasers);
+// The returns of all shots, in their order; each block of shots fills its own list.
+std::vector<ReturnOfShot> shoot_all(const Shooter& shooter, const ShotPlan& plan) {
+  const std::size_t blocks = (plan.shots.size() + kShotsAtATime - 1) / kShotsAtATime;
+  std::vector<std::vector<ReturnOfShot>> of_block(blocks);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    const std::size_t begin = block * kShotsAtATime;
+    of_block[block] = shooter.fire(plan, begin, std::min(begin + kShotsAtATime, plan.shots.size()));
   });
-  return returns;
+  std::vector<ReturnOfShot> all;
+  for (const auto& returns : of_block) all.insert(all.end(), returns.begin(), returns.end());
+  return all;
 }
 
-/// A cloud in the order of firing, and the exact time of each of its points.
+/// A cloud in the order of the shots, and the exact time of each of its points.
 struct TimedCloud {
   Cloud cloud;
   std::vector<std::uint32_t> time_offset_ns;
 };
 
-TimedCloud collect(const std::vector<std::optional<Return>>& returns, const sensor::BeamModel& model) {
-  const std::vector<std::size_t> rings = sensor::rings_of(model);
+TimedCloud collect(const std::vector<ReturnOfShot>& returns, const ShotPlan& plan, const LidarModel& model) {
   TimedCloud out;
-  for (std::size_t ray = 0; ray < returns.size(); ++ray) {
-    const auto& hit = returns[ray];
-    if (!hit) continue;
-    const std::size_t laser = ray % rings.size();
-    const auto firing = static_cast<std::int64_t>(ray / rings.size());
-    out.cloud.x.push_back(static_cast<float>(hit->p_sensor.x));
-    out.cloud.y.push_back(static_cast<float>(hit->p_sensor.y));
-    out.cloud.z.push_back(static_cast<float>(hit->p_sensor.z));
-    out.cloud.intensity.push_back(hit->intensity);
-    out.cloud.ring.push_back(static_cast<std::int64_t>(rings[laser]));
-    out.cloud.label.push_back(hit->label);
-    out.time_offset_ns.push_back(
-        static_cast<std::uint32_t>(firing * model.firing_period_ns + model.lasers[laser].time_ns));
+  Cloud& cloud = out.cloud;
+  for (const auto& [echo, number] : returns) {
+    const Shot& shot = plan.shots[number];
+    const Vec3 p = shot.origin + echo.range_m * shot.direction;
+    cloud.x.push_back(static_cast<float>(p.x));
+    cloud.y.push_back(static_cast<float>(p.y));
+    cloud.z.push_back(static_cast<float>(p.z));
+    cloud.ring.push_back(shot.ring);
+    cloud.label.push_back(echo.label);
+    if (model.reports.intensity) cloud.intensity.push_back(echo.intensity);
+    if (model.echoes > 1) cloud.echo.push_back(echo.echo);
+    if (model.reports.pulse_units_per_m > 0.0) {
+      cloud.pulse_width.push_back(echo.pulse_width);
+      cloud.flags.push_back(echo.flags);
+    }
+    out.time_offset_ns.push_back(static_cast<std::uint32_t>(shot.time_ns - plan.begin_ns));
   }
   return out;
 }
@@ -176,22 +172,26 @@ Scan to_scan(TimedCloud timed) {
 
 }  // namespace
 
-std::uint32_t label_of(Surface surface, std::uint32_t object) {
-  return (object << 16U) | static_cast<std::uint32_t>(surface);
-}
-
-Scan simulate_revolution(const Caster& world, const sensor::BeamModel& model,
-                         const Trajectory& T_world_sensor_at, std::uint64_t index, const NoiseConfig& noise) {
-  check(model, noise);
-  const Firings firings = firings_of(model, index);
-  const auto returns = shoot_all({world, model, T_world_sensor_at, noise, index}, firings);
-  Scan scan = to_scan(collect(returns, model));
-
-  const std::int64_t begin_ns = firings.begin * model.firing_period_ns;
-  const std::int64_t end_ns = firings.end * model.firing_period_ns;
+Scan simulate_scan(const Caster& world, const LidarModel& model, const Trajectory& T_world_sensor_at,
+                   std::uint64_t index, const NoiseConfig& noise, const Weather& weather) {
+  check_fields(noise);
+  check_fields(weather);
+  constexpr double kMilli = 1e-3;
+  const Shooter shooter{.world = world,
+                        .model = model,
+                        .T_world_sensor_at = T_world_sensor_at,
+                        .noise = noise,
+                        .weather = weather,
+                        .index = index,
+                        .section = cross_section(model.optics, noise.beam_rays),
+                        .beside = around(kMilli * weather.bloom_mrad)};
+  const ShotPlan plan = model.shots(index);
+  Scan scan = to_scan(collect(shoot_all(shooter, plan), plan, model));
   scan.frame = fmt::format("{:06}", index);
-  scan.stamp_ns = begin_ns;
-  scan.motion = Motion{T_world_sensor_at(begin_ns), T_world_sensor_at(end_ns), end_ns - begin_ns};
+  scan.sensor = model.name;
+  scan.stamp_ns = plan.begin_ns;
+  scan.motion =
+      Motion{T_world_sensor_at(plan.begin_ns), T_world_sensor_at(plan.end_ns), plan.end_ns - plan.begin_ns};
   scan.T_world_sensor = scan.motion->T_world_sensor_begin;
   return scan;
 }

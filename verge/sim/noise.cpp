@@ -39,9 +39,9 @@ double uniform(const RayKey& key, Draw draw, std::uint64_t index) {
   return to_unit_interval(random_bits(key, draw, index));
 }
 
-double gaussian(const RayKey& key, Draw draw) {
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform(key, draw, 0)));  // 1 - u is never 0
-  return radius * std::cos(2.0 * std::numbers::pi * uniform(key, draw, 1));
+double gaussian(const RayKey& key, Draw draw, std::uint64_t index) {
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform(key, draw, 2 * index)));  // 1 - u is never 0
+  return radius * std::cos(2.0 * std::numbers::pi * uniform(key, draw, 2 * index + 1));
 }
 
 }  // namespace verge::sim

@@ -16,7 +16,17 @@ struct RayKey {
 };
 
 /// The purposes for which a ray draws numbers; each has its own stream.
-enum class Draw : std::uint64_t { kRangeNoise, kDropout, kBumps, kScenario };
+enum class Draw : std::uint64_t {
+  kRangeNoise,
+  kDropout,
+  kBumps,
+  kScenario,
+  kFading,
+  kDrop,
+  kDropRange,
+  kDropFading,
+  kDirt
+};
 
 /// 64 random bits of the key.
 [[nodiscard]] std::uint64_t random_bits(const RayKey& key, Draw draw, std::uint64_t index = 0);
@@ -25,6 +35,6 @@ enum class Draw : std::uint64_t { kRangeNoise, kDropout, kBumps, kScenario };
 [[nodiscard]] double uniform(const RayKey& key, Draw draw, std::uint64_t index = 0);
 
 /// Normal with mean 0 and deviation 1 (Box-Muller; never beyond 8.6).
-[[nodiscard]] double gaussian(const RayKey& key, Draw draw);
+[[nodiscard]] double gaussian(const RayKey& key, Draw draw, std::uint64_t index = 0);
 
 }  // namespace verge::sim

@@ -268,4 +268,10 @@ Outline make_outline(const std::vector<Road>& roads, double step_m) {
   return outline;
 }
 
+bool in_mouth(const Outline& outline, std::size_t road, RoadSide side, double from_m, double to_m) {
+  return std::any_of(outline.mouths.begin(), outline.mouths.end(), [&](const Mouth& mouth) {
+    return mouth.road == road && mouth.side == side && from_m < mouth.end_m && to_m > mouth.begin_m;
+  });
+}
+
 }  // namespace verge::sim

@@ -60,6 +60,10 @@ struct Outline {
   std::vector<Mouth> mouths;  ///< One a branch, in the order of the roads.
 };
 
+/// Whether a part of the stretch of the road's edge, between two of its stations, lies in a branch's mouth.
+[[nodiscard]] bool in_mouth(const Outline& outline, std::size_t road, RoadSide side, double from_m,
+                            double to_m);
+
 /// The outline of the roads: the edges of each (exact offsets of its centre line), joined by arcs at the
 /// mouths, as polylines that no curve departs from by more than kChordErrorMax_m and no step is longer than
 /// `step_m`. Throws std::invalid_argument where a kerb return does not fit, two mouths overlap, or an island

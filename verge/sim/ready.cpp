@@ -253,6 +253,19 @@ Scenario banked() {
   return scenario;
 }
 
+Scenario in_weather(const Weather& weather) {
+  Scenario scenario = street();
+  scenario.weather = weather;
+  return scenario;
+}
+
+Scenario reflectors() {
+  Scenario scenario = street();
+  scenario.roads[0].rows.push_back(row(Thing::kSign, RoadSide::kRight, 5.0, 1e4, 0.4, 12.0));
+  scenario.weather.bloom_mrad = 10.0;
+  return scenario;
+}
+
 // --- The papers'
 // --------------------------------------------------------------------------------------------------
 
@@ -399,7 +412,13 @@ std::vector<ReadyScenario> make_list() {
       {"tilt-1deg", "the sensor pitched and rolled by 1 degree", [] { return tilted(1.0); }},
       {"tilt-3deg", "the sensor pitched and rolled by 3 degrees", [] { return tilted(3.0); }},
       {"tilt-5deg", "the sensor pitched and rolled by 5 degrees", [] { return tilted(5.0); }},
-      {"swerve", "the vehicle turns by 60 degrees a second", swerve}};
+      {"swerve", "the vehicle turns by 60 degrees a second", swerve},
+      {"heavy-rain", "50 mm of rain an hour on a wet street",
+       [] { return in_weather({.rain_mmph = 50.0, .wet_road = 0.6}); }},
+      {"wet-road", "a street after the rain", [] { return in_weather({.wet_road = 0.8}); }},
+      {"dirty-window", "a third of the window is dirty, ahead and to the left",
+       [] { return in_weather({.dirt = 0.33, .dirt_from_deg = -20.0, .dirt_to_deg = 90.0}); }},
+      {"reflectors", "signs that outshine what is around them", reflectors}};
   for (const double radius_m : {0.5, 3.0, 8.0}) {
     for (const double speed_kmh : {10.0, 30.0, 60.0}) {
       list.push_back({fmt::format("paper1-r{}-v{}", radius_m, speed_kmh),

@@ -10,6 +10,7 @@
 #include "verge/sim/center_line.hpp"
 #include "verge/sim/ground.hpp"
 #include "verge/sim/road.hpp"
+#include "verge/sim/weather.hpp"
 
 namespace verge::sim {
 
@@ -64,6 +65,7 @@ struct Scenario {
   GroundConfig ground;
   Course course;
   Stand stand;
+  Weather weather;
 };
 
 /// The mount that says the same.

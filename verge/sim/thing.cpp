@@ -91,6 +91,18 @@ World prism(Vec3 size, Surface surface, std::uint32_t object) {
   return world;
 }
 
+// A plate as high as it is wide, across its heading, on a post behind it.
+World sign(Vec3 size, std::uint32_t object) {
+  World world;
+  constexpr double kPlate_m = 0.005;
+  const double foot = std::max(0.0, size.z - size.y);
+  add_box(world, {{0.5 * (kPlate_m - size.x), 0.0, foot}, {kPlate_m, size.y, size.z - foot}, 0.0},
+          Surface::kReflector, object);
+  add_box(world, {{0.5 * kPlate_m, 0.0, 0.0}, {size.x - kPlate_m, 0.06, size.z}, 0.0}, Surface::kRail,
+          object);
+  return world;
+}
+
 World box(Vec3 size, Surface surface, std::uint32_t object) {
   World world;
   add_box(world, {{}, size, 0.0}, surface, object);
@@ -117,7 +129,8 @@ Vec3 usual_size(Thing thing) {
                                                                          {10.0, 6.0, 6.0},
                                                                          {0.0, 0.3, 2.0},
                                                                          {0.0, 0.1, 0.75},
-                                                                         {0.0, 0.8, 1.3}}};
+                                                                         {0.0, 0.8, 1.3},
+                                                                         {0.06, 0.6, 2.8}}};
   return kSizes.at(static_cast<std::size_t>(thing));
 }
 
@@ -144,6 +157,8 @@ World shape_of(Thing thing, Vec3 size, std::uint32_t object) {
       return box(size, Surface::kRail, object);
     case Thing::kHouse:
       return box(size, Surface::kWall, object);
+    case Thing::kSign:
+      return sign(size, object);
     case Thing::kWall:
     case Thing::kGuardRail:
     case Thing::kHedge:

@@ -27,7 +27,8 @@ enum class Thing : std::uint8_t {
   kHouse,
   kWall,
   kGuardRail,
-  kHedge
+  kHedge,
+  kSign
 };
 
 }  // namespace verge::sim
@@ -36,7 +37,7 @@ namespace verge {
 template <>
 inline constexpr std::array enum_names<sim::Thing> =
     std::to_array<std::string_view>({"car", "van", "truck", "trailer", "cyclist", "person", "pole", "tree",
-                                     "bin", "barrel", "house", "wall", "guard_rail", "hedge"});
+                                     "bin", "barrel", "house", "wall", "guard_rail", "hedge", "sign"});
 }  // namespace verge
 
 namespace verge::sim {
@@ -49,7 +50,8 @@ namespace verge::sim {
 
 /// Its triangles within a box of that size, whose footprint's middle is the origin; its length along +x, its
 /// foot at z = 0. The box's sides touch it. The body of a car, van, truck or trailer begins 0.25 m above the
-/// road on four wheels and fills the box from there to half (car) or all of its height. Throws
+/// road on four wheels and fills the box from there to half (car) or all of its height. The plate of a sign
+/// looks back along its length. Throws
 /// std::invalid_argument for a continuous thing.
 [[nodiscard]] World shape_of(Thing thing, Vec3 size, std::uint32_t object);
 

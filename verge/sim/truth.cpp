@@ -68,6 +68,10 @@ ObjectClass class_of(Thing thing) {
   }
 }
 
+// Between parked vehicles, what is narrower looks closed to every scanner, and what is wider is no gap.
+constexpr double kParkedGapMin_m = 1.5;
+constexpr double kParkedGapMax_m = 8.0;
+
 Vec2 in_sensor(const Pose& T_sensor_world, Vec3 p) { return (T_sensor_world * p).xy(); }
 
 // The middle of a closed road.
@@ -243,28 +247,97 @@ void Truth::add_openings(const TruthView& view, Scene& scene) const {
   }
 }
 
-void Truth::add_corners(const TruthView& view, const Whereabouts& where, Scene& scene) const {
+void Truth::add_corner(const TruthView& view, const Whereabouts& where, const Opened& opened,
+                       Scene& scene) const {
   const Pose T_sensor_world = inverse(view.T_world_sensor);
+  const bool along_road = where.direction > 0.0;
+  const double near = along_road ? opened.begin_m : opened.end_m;
+  const double far = along_road ? opened.end_m : opened.begin_m;
+  const double to_near = where.direction * (near - where.station_m);
+  const double to_far = where.direction * (far - where.station_m);
+  if (to_far < 0.0 || to_near > view.radius_m) return;
+  const Vec2 p = along_road ? opened.begin : opened.end;
+  Corner corner;
+  corner.id = opened.id;
+  corner.side = (opened.side == RoadSide::kLeft) == along_road ? CornerSide::kLeft : CornerSide::kRight;
+  corner.position = in_sensor(T_sensor_world, {p.x, p.y, land_.ground().road(p)});
+  corner.distance_m = to_near;
+  corner.width_m = opened.width_m;
+  corner.exit_m = to_far;
+  corner.confidence = opened.is_road ? 1.0 : 0.0;
+  scene.corners.push_back(corner);
+}
+
+void Truth::add_corners(const TruthView& view, const Whereabouts& where, Scene& scene) const {
   for (const Mouth& mouth : land_.outline().mouths) {
     const Road& branch = land_.roads()[mouth.branch];
-    if (mouth.road != where.road || branch.config().driveway) continue;
-    const bool along_road = where.direction > 0.0;
-    const double near = along_road ? mouth.begin_m : mouth.end_m;
-    const double far = along_road ? mouth.end_m : mouth.begin_m;
-    const double to_near = where.direction * (near - where.station_m);
-    const double to_far = where.direction * (far - where.station_m);
-    if (to_far < 0.0 || to_near > view.radius_m) continue;
-    const Vec2 p = along_road ? mouth.begin : mouth.end;
-    Corner corner;
-    corner.id = static_cast<int>(mouth.branch) + 1;
-    corner.side = (mouth.side == RoadSide::kLeft) == along_road ? CornerSide::kLeft : CornerSide::kRight;
-    corner.position = in_sensor(T_sensor_world, {p.x, p.y, land_.ground().road(p)});
-    corner.distance_m = to_near;
-    corner.width_m = 2.0 * branch.half_width(mouth.begin_branch_m);
-    corner.exit_m = to_far;
-    corner.confidence = 1.0;
-    scene.corners.push_back(corner);
+    if (mouth.road != where.road) continue;
+    add_corner(view, where,
+               {.id = static_cast<int>(mouth.branch) + 1,
+                .side = mouth.side,
+                .begin_m = mouth.begin_m,
+                .end_m = mouth.end_m,
+                .begin = mouth.begin,
+                .end = mouth.end,
+                .width_m = 2.0 * branch.half_width(mouth.begin_branch_m),
+                .is_road = !branch.config().driveway},
+               scene);
   }
+  add_false_corners(view, where, scene);
+}
+
+// Gaps of the kerb, and those between parked vehicles, of the vehicle's road.
+void Truth::add_false_corners(const TruthView& view, const Whereabouts& where, Scene& scene) const {
+  constexpr int kFirstGapId = 10'000;
+  constexpr int kFirstParkedId = 20'000;
+  const Road& road = land_.roads()[where.road];
+  const auto add = [&](int id, RoadSide side, double begin_m, double end_m) {
+    add_corner(view, where,
+               {.id = id,
+                .side = side,
+                .begin_m = begin_m,
+                .end_m = end_m,
+                .begin = road.edge_point(side, begin_m).position,
+                .end = road.edge_point(side, end_m).position,
+                .width_m = end_m - begin_m,
+                .is_road = false},
+               scene);
+  };
+  int id = kFirstGapId;
+  for (const Gap& gap : road.config().gaps) {
+    ++id;
+    if (gap.height_m >= kLowestKerb_m || road.edge(gap.side) != Edge::kKerb) continue;
+    add(id, gap.side, gap.at_m - 0.5 * gap.width_m, gap.at_m + 0.5 * gap.width_m);
+  }
+  for (const RoadSide side : {RoadSide::kLeft, RoadSide::kRight}) {
+    const std::vector<Parked> parked = parked_along(where.road, side);
+    for (std::size_t i = 1; i < parked.size(); ++i) {
+      const double width_m = parked[i].begin_m - parked[i - 1].end_m;
+      if (width_m < kParkedGapMin_m || width_m > kParkedGapMax_m) continue;
+      if (in_mouth(land_.outline(), where.road, side, parked[i - 1].end_m, parked[i].begin_m)) continue;
+      add(kFirstParkedId + static_cast<int>(parked[i - 1].id), side, parked[i - 1].end_m, parked[i].begin_m);
+    }
+  }
+}
+
+// Vehicles at rest beside or on an edge of the carriageway, in the order of the road.
+std::vector<Truth::Parked> Truth::parked_along(std::size_t road, RoadSide side) const {
+  constexpr double kBesideEdge_m = 2.5;  // of their middles
+  std::vector<Parked> parked;
+  for (const Placed& thing : furniture_.things()) {
+    const ObjectClass type = class_of(thing.what);
+    const bool is_vehicle =
+        type == ObjectClass::kCar || type == ObjectClass::kVan || type == ObjectClass::kTruck;
+    if (thing.road != road || !is_vehicle || thing.moves()) continue;
+    const double outward = side == RoadSide::kLeft ? thing.item.lateral_m : -thing.item.lateral_m;
+    const double from_edge = outward - land_.roads()[road].edge_offset(side, thing.item.at_m);
+    if (std::abs(from_edge) > kBesideEdge_m) continue;
+    const double half = 0.5 * thing.size.x;
+    parked.push_back({thing.id, thing.item.at_m - half, thing.item.at_m + half});
+  }
+  std::sort(parked.begin(), parked.end(),
+            [](const Parked& a, const Parked& b) { return a.begin_m < b.begin_m; });
+  return parked;
 }
 
 // Directions in which roads leave a place of a road: along it, against it, and into the branches.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "verge/core/pose.hpp"
@@ -48,9 +49,10 @@ class Truth {
   /// and a place 2 cm above the foot; the sensor's field of view does not count. Openings: the mouths of
   /// branches and gaps of the kerb of which an end lies within the radius. Corners and junctions: where
   /// branches that are no driveways leave the vehicle's road, up to the radius ahead, until they are passed;
-  /// and the end of the vehicle's road. `exit_m` is the far end of the mouth. Objects: all things within the
-  /// radius; a crown of a tree counts, a wall, guard rail or hedge does not. The road's width every 5 m
-  /// ahead.
+  /// and the end of the vehicle's road. Corners of confidence 0 look like one and are none: driveways, gaps
+  /// of the kerb, and gaps of 1.5 to 8 m between parked vehicles. `exit_m` is the far end of the mouth.
+  /// Objects: all things within the radius; a crown of a tree counts, a wall, guard rail or hedge does not.
+  /// The road's width every 5 m ahead.
   [[nodiscard]] Scene scene(const TruthView& view) const;
 
   /// Where a vehicle is: on the road of this number if that is near and runs its way, else on the nearest
@@ -81,6 +83,26 @@ class Truth {
   void add_boundaries(const Chain& chain, const TruthView& view, const Whereabouts& where,
                       Scene& scene) const;
   void add_openings(const TruthView& view, Scene& scene) const;
+  /// A stretch of a road's edge that opens, or looks so.
+  struct Opened {
+    int id = 0;
+    RoadSide side = RoadSide::kLeft;
+    double begin_m = 0.0;  // stations on the road
+    double end_m = 0.0;
+    Vec2 begin;
+    Vec2 end;
+    double width_m = 0.0;
+    bool is_road = false;
+  };
+  struct Parked {
+    std::uint32_t id = 0;
+    double begin_m = 0.0;  // stations on the road
+    double end_m = 0.0;
+  };
+
+  void add_corner(const TruthView& view, const Whereabouts& where, const Opened& opened, Scene& scene) const;
+  void add_false_corners(const TruthView& view, const Whereabouts& where, Scene& scene) const;
+  [[nodiscard]] std::vector<Parked> parked_along(std::size_t road, RoadSide side) const;
   void add_corners(const TruthView& view, const Whereabouts& where, Scene& scene) const;
   void add_junctions(const TruthView& view, const Whereabouts& where, Scene& scene) const;
   void add_end(const TruthView& view, const Whereabouts& where, Scene& scene) const;

@@ -264,14 +264,19 @@ TEST(Truth, FromTheSideRoadItIsATWithAwayToBothSides) {
   EXPECT_EQ(on_side(truth, Side::kOther).size(), 1U);  // the far kerb of the road across
 }
 
-TEST(Truth, DrivewaysAndGapsAreOpeningsButNoCorners) {
+TEST(Truth, DrivewaysAndGapsAreOpeningsButFalseCorners) {
   RoadConfig drive = branch(95.0, RoadSide::kRight, 0.3);
   drive.driveway = true;
   drive.width_m = 2.0;
   RoadConfig road = straight();
   road.gaps = {{RoadSide::kLeft, 105.0, 1.5, 0.0, 0.3}, {RoadSide::kLeft, 112.0, 1.5, 0.06, 0.3}};
   const Scene truth = Stage({road, drive}).scene({90.0, 0.0}, 0.0, 30.0);
-  EXPECT_TRUE(truth.corners.empty());
+  ASSERT_EQ(truth.corners.size(), 2U);
+  for (const Corner& corner : truth.corners) EXPECT_EQ(corner.confidence, 0.0);
+  EXPECT_EQ(truth.corners[0].side, CornerSide::kRight);
+  EXPECT_EQ(truth.corners[1].side, CornerSide::kLeft);
+  EXPECT_NEAR(*truth.corners[1].distance_m, 105.0 - 0.75 - 90.0, 1e-6);
+  EXPECT_NEAR(*truth.corners[1].width_m, 1.5, 1e-9);
   EXPECT_TRUE(truth.junctions.empty());
   ASSERT_EQ(truth.openings.size(), 2U);  // a kerb lowered to 6 cm is no opening
   EXPECT_NEAR(truth.openings[0].width_m, 2.6, 1e-6);
@@ -281,6 +286,22 @@ TEST(Truth, DrivewaysAndGapsAreOpeningsButNoCorners) {
   EXPECT_EQ(std::count_if(left.begin(), left.end(),
                           [](const Boundary* b) { return b->kind == BoundaryKind::kFlush; }),
             1);
+}
+
+TEST(Truth, WideGapsBetweenParkedCarsAreFalseCorners) {
+  RoadConfig road = straight();
+  const auto car = [](double at_m, double lateral_m, double speed_mps) {
+    return Item{
+        .what = Thing::kCar, .at_m = at_m, .lateral_m = lateral_m, .speed_mps = speed_mps, .length_m = 4.0};
+  };
+  road.items = {car(100.0, 3.5, 0.0), car(105.0, 3.5, 0.0), car(111.0, 3.5, 0.0),
+                car(116.0, 0.0, 0.0), car(117.0, 3.5, 5.0), car(130.0, 3.5, 0.0)};
+  const Scene truth = Stage({road}).scene({90.0, 0.0}, 0.0, 30.0);
+  ASSERT_EQ(truth.corners.size(), 1U);  // gaps of 1, 2 and 15 m; one car is on the road, one drives
+  EXPECT_EQ(truth.corners[0].confidence, 0.0);
+  EXPECT_EQ(truth.corners[0].side, CornerSide::kLeft);
+  EXPECT_NEAR(*truth.corners[0].distance_m, 17.0, 1e-6);
+  EXPECT_NEAR(*truth.corners[0].exit_m, 19.0, 1e-6);
 }
 
 TEST(Truth, AnIslandIsABoundaryOfItsOwn) {

@@ -22,16 +22,19 @@ enum class Surface : std::uint8_t {
   kRail,  ///< Sheet metal: guard rails, poles, bins.
   kVegetation,
   kVehicle,
-  kPerson,  ///< On foot or on a bicycle.
-  kPlastic  ///< Barrels of a building site.
+  kPerson,     ///< On foot or on a bicycle.
+  kPlastic,    ///< Barrels of a building site.
+  kReflector,  ///< Retro-reflecting sheet: signs.
+  kNone        ///< Nothing that stands there: drops of rain, dirt on the window, mirror images.
 };
 
 }  // namespace verge::sim
 
 namespace verge {
 template <>
-inline constexpr std::array enum_names<sim::Surface> = std::to_array<std::string_view>(
-    {"road", "curb", "sidewalk", "ground", "wall", "rail", "vegetation", "vehicle", "person", "plastic"});
+inline constexpr std::array enum_names<sim::Surface> =
+    std::to_array<std::string_view>({"road", "curb", "sidewalk", "ground", "wall", "rail", "vegetation",
+                                     "vehicle", "person", "plastic", "reflector", "none"});
 }  // namespace verge
 
 namespace verge::sim {

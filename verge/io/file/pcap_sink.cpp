@@ -18,6 +18,7 @@
 #include "verge/io/file/velodyne_scans.hpp"
 #include "verge/io/file/wire_points.hpp"
 #include "verge/sensor/velodyne/encoder.hpp"
+#include "verge/sensor/velodyne/position.hpp"
 #include "verge/sensor/velodyne/wire_cloud.hpp"
 
 namespace verge::io {
@@ -26,6 +27,7 @@ namespace {
 namespace velodyne = sensor::velodyne;
 
 constexpr double kUsualRateHz = 10.0;
+constexpr std::uint16_t kPositionPort = 8308;
 
 /// Intensities to the wire's 0 to 255 where they are remissions from 0 to 1.
 void scale_intensities(std::vector<float>& intensities) {
@@ -49,6 +51,7 @@ class PcapSink final : public Sink {
   [[nodiscard]] Expected<void> choose_model(const Scan& scan);
   [[nodiscard]] Expected<void> encode_held(std::optional<std::int64_t> next_ns);
   [[nodiscard]] Expected<void> send(const std::vector<velodyne::SentPacket>& packets);
+  [[nodiscard]] Expected<void> send_position(std::int64_t time_ns);
   void tell_what_is_left_out() const;
 
   /// A scan whose points have no times waits for the next one, which tells how fast the head turned.
@@ -65,6 +68,7 @@ class PcapSink final : public Sink {
   std::optional<velodyne::Encoder> encoder_;
   ScanTimes times_;
   std::optional<Held> held_;
+  std::int64_t next_position_ns_ = 0;
 };
 
 Expected<void> PcapSink::choose_model(const Scan& scan) {
@@ -131,9 +135,22 @@ Expected<void> PcapSink::send(const std::vector<velodyne::SentPacket>& packets) 
   for (const velodyne::SentPacket& packet : packets) {
     // A packet begins before its first return: at the very begin of time that would be no time.
     const std::int64_t time_ns = std::max<std::int64_t>(0, packet.time_ns);
+    if (auto sent = send_position(time_ns); !sent) return sent;
     if (auto written = writer_.write(packet.bytes, time_ns); !written) return written;
   }
   return {};
+}
+
+Expected<void> PcapSink::send_position(std::int64_t time_ns) {
+  constexpr std::int64_t kEveryNs = 100'000'000;
+  constexpr std::int64_t kFirstYearNs = 315'532'800'000'000'000;   // 1980
+  constexpr std::int64_t kLastYearNs = 3'471'292'800'000'000'000;  // 2080
+  const bool can_be_said = time_ns >= kFirstYearNs && time_ns < kLastYearNs;
+  if (!options_.position_packets || !can_be_said || time_ns < next_position_ns_) return {};
+  next_position_ns_ = time_ns + kEveryNs;
+  PcapWriter::Route route;
+  route.port = kPositionPort;
+  return writer_.write(velodyne::locked_position(time_ns), time_ns, route);
 }
 
 void PcapSink::tell_what_is_left_out() const {

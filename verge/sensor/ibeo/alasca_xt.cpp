@@ -34,8 +34,10 @@ AlascaModel alasca_xt() {
   AlascaModel model{.name = "alasca_xt",
                     .layer_elevation_rad = {},
                     .rate_hz = 20.0,
+                    .range_min_m = 0.3,
                     .range_max_m = 200.0,
-                    .step_rad = deg_to_rad(0.25)};
+                    .step_rad = deg_to_rad(0.25),
+                    .side_rad = deg_to_rad(60.0)};
   constexpr double kFieldDeg = 3.2;
   for (int layer = 0; layer < 4; ++layer) {
     model.layer_elevation_rad.push_back(deg_to_rad(kFieldDeg * (layer / 3.0 - 0.5)));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "verge/core/angle.hpp"
@@ -96,18 +97,28 @@ MessageCloud cloud_of(const LuxScan& scan, const LuxModel& model) {
   return out;
 }
 
-std::vector<LuxPulse> pulses_of(const LuxModel& model, std::int16_t step_ticks) {
-  assert(step_ticks > 0);
-  std::vector<LuxPulse> pulses;
-  const auto add_pair = [&](int start, std::uint8_t lower_layer) {
-    for (int angle = start; angle >= model.end_angle_ticks; angle -= step_ticks) {
-      pulses.push_back({static_cast<std::int16_t>(angle), lower_layer});
-    }
+std::vector<LuxZone> focused_zones() { return {{320, 8}, {960, 16}, {5760, 32}}; }
+
+std::vector<LuxZone> constant_zones(double rate_hz) {
+  const std::int16_t step_ticks = rate_hz > 25.0 ? 32 : 16;
+  return {{5760, step_ticks}};
+}
+
+std::vector<LuxPulse> pulses_of(const LuxModel& model, std::span<const LuxZone> zones) {
+  assert(!zones.empty());
+  const auto step_at = [&](int ticks) {
+    const auto zone = std::find_if(zones.begin(), zones.end(),
+                                   [&](const LuxZone& z) { return std::abs(ticks) <= z.within_ticks; });
+    return static_cast<int>(zone == zones.end() ? zones.back().step_ticks : zone->step_ticks);
   };
-  add_pair(model.start_angle_ticks, 0);
-  add_pair(model.upper_start_angle_ticks, 2);
-  std::stable_sort(pulses.begin(), pulses.end(),
-                   [](const LuxPulse& a, const LuxPulse& b) { return a.angle_ticks > b.angle_ticks; });
+  std::vector<LuxPulse> pulses;
+  for (int ticks = model.start_angle_ticks; ticks >= model.end_angle_ticks; --ticks) {
+    const int step = step_at(ticks);
+    const int phase = (ticks % step + step) % step;
+    const auto angle = static_cast<std::int16_t>(ticks);
+    if (phase == 0) pulses.push_back({angle, 0});
+    if (2 * phase == step && ticks <= model.upper_start_angle_ticks) pulses.push_back({angle, 2});
+  }
   return pulses;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ namespace verge::sensor::ibeo {
 struct ScanRate {
   double rate_hz = 0.0;         ///< Scans a second.
   std::int16_t step_ticks = 0;  ///< Between two pulses of one pair of layers.
+};
+
+/// How far apart the pulses of one pair of layers are, up to an angle to either side of straight ahead.
+struct LuxZone {
+  std::int16_t within_ticks = 0;
+  std::int16_t step_ticks = 0;
 };
 
 /// The facts of a LUX or LD-MRS that decoder, encoder and simulator share.
@@ -94,8 +101,21 @@ struct LuxPulse {
   std::uint8_t lower_layer = 0;  ///< 0 or 2; the other one is the next.
 };
 
-/// The pulses of one scan of a four-layer sensor from left to right: the lower pair every `step_ticks` from
-/// its start angle, the upper pair from its own, half a step between where the angles are so.
-[[nodiscard]] std::vector<LuxPulse> pulses_of(const LuxModel& model, std::int16_t step_ticks);
+/// The pulses of one scan of a four-layer sensor from left to right: of the lower pair at whole multiples of
+/// the zone's step, of the upper pair half a step between, each from its start angle on. The zones stand from
+/// the middle outward; beyond the last one counts the last one's step.
+[[nodiscard]] std::vector<LuxPulse> pulses_of(const LuxModel& model, std::span<const LuxZone> zones);
+
+/// The sensor's two kinds of angular resolution (its parameter 0x1104).
+///
+/// Focused, at 12.5 Hz: a pulse every 0.125 degrees up to 10 degrees, 0.25 to 30, 0.5 beyond, so that each
+/// pair has one every 0.25, 0.5 and 1 degree. Source: paper 2, table I (the three steps) and its table of
+/// points (beyond 30 degrees whole degrees for the lower pair and half ones for the upper, from 30 on 29.75,
+/// 29.25, ...); that two pairs take turns, so that a pair's step is twice the sensor's: LD-MRS operating
+/// instructions, "Angular resolution". The inner border of 10 degrees is not printed in either: ours.
+[[nodiscard]] std::vector<LuxZone> focused_zones();
+/// Constant: each pair every 0.5 degrees (as a public recording of an LD-MRS at 12.5 Hz has it), at 50 Hz
+/// every degree.
+[[nodiscard]] std::vector<LuxZone> constant_zones(double rate_hz);
 
 }  // namespace verge::sensor::ibeo

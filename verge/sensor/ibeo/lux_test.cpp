@@ -150,7 +150,7 @@ TEST(LuxElevation, ATiltedMirrorLooksDownOnOneSideAndUpOnTheOther) {
 }
 
 TEST(LuxPulses, PairsTakeTurnsHalfAStepApart) {
-  const std::vector<LuxPulse> pulses = pulses_of(lux(), 16);
+  const std::vector<LuxPulse> pulses = pulses_of(lux(), constant_zones(12.5));
   ASSERT_EQ(pulses.size(), 201U + 170U);
   EXPECT_EQ(pulses.front().angle_ticks, 1600);
   EXPECT_EQ(pulses.front().lower_layer, 0);
@@ -160,6 +160,27 @@ TEST(LuxPulses, PairsTakeTurnsHalfAStepApart) {
     ASSERT_EQ(pulses[i - 1].angle_ticks - pulses[i].angle_ticks, 8);
     ASSERT_NE(pulses[i - 1].lower_layer, pulses[i].lower_layer);
   }
+}
+
+// Paper 2's table: levels 0 and 1 at whole degrees, levels 2 and 3 at half degrees from 34.5 on, and from 30
+// degrees on in steps of half a degree, 29.75, 29.25, ...
+TEST(LuxPulses, FocusedTheyStandWherePaper2PrintsThem) {
+  std::vector<double> lower;
+  std::vector<double> upper;
+  for (const LuxPulse& pulse : pulses_of(lux(), focused_zones())) {
+    (pulse.lower_layer == 0 ? lower : upper).push_back(pulse.angle_ticks / 32.0);
+  }
+  const auto from = [](const std::vector<double>& all, double first, std::size_t count) {
+    const auto begin = std::find(all.begin(), all.end(), first);
+    return std::vector<double>(begin, std::min(all.end(), begin + static_cast<std::ptrdiff_t>(count)));
+  };
+  EXPECT_THAT(from(lower, 50.0, 4), ElementsAre(50.0, 49.0, 48.0, 47.0));
+  EXPECT_THAT(from(lower, 40.0, 5), ElementsAre(40.0, 39.0, 38.0, 37.0, 36.0));
+  EXPECT_THAT(from(lower, 31.0, 4), ElementsAre(31.0, 30.0, 29.5, 29.0));
+  EXPECT_EQ(upper.front(), 34.5);
+  EXPECT_THAT(from(upper, 34.5, 8), ElementsAre(34.5, 33.5, 32.5, 31.5, 30.5, 29.75, 29.25, 28.75));
+  EXPECT_THAT(from(lower, 10.5, 4), ElementsAre(10.5, 10.0, 9.75, 9.5));
+  EXPECT_EQ(lower.back(), -50.0);
 }
 
 TEST(AlascaCloud, PointsStandWhereTheirCodesSay) {

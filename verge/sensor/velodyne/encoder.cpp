@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::int64_t kHourNs = 3'600'000'000'000;
 constexpr double kUsualRateHz = 10.0;
+constexpr std::size_t kStepsOfSeries1 = 4;  // three of the upper bank, one of the lower
 
 std::uint16_t wire_azimuth(double azimuth) {
   const auto whole = static_cast<std::int64_t>(std::llround(azimuth)) % kTurn;
@@ -100,7 +101,7 @@ void find_second_blocks(Shots& shots) {
   std::int64_t newest_ns = std::numeric_limits<std::int64_t>::min();
   for (auto& shot : shots) {
     if (!shot.firing) continue;
-    if (shot.step_ns <= newest_ns) {
+    if (before != nullptr && shot.step_ns <= newest_ns) {
       const bool again = shot.step_ns < before->step_ns || place(shot) <= place(*before);
       shot.second = before->second || again;
     }
@@ -242,12 +243,25 @@ Encoder::Return Encoder::missing_echo(const Return& other, bool is_second,
   return is_second ? other : Return{};
 }
 
-void Encoder::fill_step(RawPacket& packet, std::size_t number, const Step& step,
-                        std::uint16_t azimuth) const {
+/// Which of four steps are of the lower bank, in a packet of an HDL-64E S1: as those with returns say, for
+/// the decoder knows the series by that.
+std::size_t Encoder::lower_step(const OpenPacket& packet) {
+  std::array<bool, kStepsOfSeries1> is_upper{};
+  for (std::size_t number = 0; number < packet.steps.size(); ++number) {
+    const std::optional<std::size_t> bank = packet.steps[number].bank;
+    if (bank == 1U) return number % kStepsOfSeries1;
+    if (bank) is_upper.at(number % kStepsOfSeries1) = true;
+  }
+  const auto free = std::find(is_upper.begin(), is_upper.end(), false);
+  return free == is_upper.end() ? 0 : static_cast<std::size_t>(free - is_upper.begin());
+}
+
+void Encoder::fill_step(RawPacket& packet, std::size_t number, const Step& step, std::uint16_t azimuth,
+                        std::size_t lower) const {
   const std::size_t banks = facts_.banks_share_step ? 2 : 1;
   const std::size_t echoes = packet.mode == kModeDual ? 2 : 1;
-  // Without any return, every fourth block is one of the lower bank: the decoder knows the series by that.
-  const std::size_t only_bank = step.bank.value_or(number % 4 == 0 ? 1 : 0);
+  const std::size_t only_bank =
+      step.bank.value_or(static_cast<std::size_t>(number % kStepsOfSeries1 == lower));
   for (std::size_t b = 0; b < banks * echoes; ++b) {
     const std::size_t bank = banks_take_turns(facts_) ? only_bank : b % banks;
     RawBlock& block = packet.blocks[number * banks * echoes + b];
@@ -273,8 +287,9 @@ void Encoder::close() {
   if (facts_.product) packet.product = *facts_.product;
   packet.stamp_us = static_cast<std::uint32_t>(open_->begin_ns % kHourNs / 1000);
   const std::vector<std::uint16_t> azimuths = azimuths_of(*open_);
+  const std::size_t lower = lower_step(*open_);
   for (std::size_t step = 0; step < azimuths.size(); ++step) {
-    fill_step(packet, step, open_->steps[step], azimuths[step]);
+    fill_step(packet, step, open_->steps[step], azimuths[step], lower);
   }
   full_.push_back({to_bytes(packet), open_->begin_ns});
   open_.reset();

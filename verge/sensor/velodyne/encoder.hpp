@@ -111,7 +111,9 @@ class Encoder {
   void close();
   [[nodiscard]] std::vector<std::uint16_t> azimuths_of(const OpenPacket& packet);
   [[nodiscard]] Return missing_echo(const Return& other, bool is_second, const LaserCorrection& laser) const;
-  void fill_step(RawPacket& packet, std::size_t number, const Step& step, std::uint16_t azimuth) const;
+  [[nodiscard]] static std::size_t lower_step(const OpenPacket& packet);
+  void fill_step(RawPacket& packet, std::size_t number, const Step& step, std::uint16_t azimuth,
+                 std::size_t lower) const;
 
   const Facts& facts_;
   Calibration calibration_;

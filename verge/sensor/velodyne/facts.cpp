@@ -39,20 +39,44 @@ std::vector<std::int64_t> rings_of(const Calibration& calibration) {
   return rings;
 }
 
+namespace {
+
+Laser shot_of(const Facts& facts, std::size_t laser, std::int64_t ring, std::int64_t step) {
+  const LaserCorrection& aim = facts.calibration[laser];
+  return {.elevation_rad = aim.elevation_rad,
+          .time_ns = step * facts.step_ns + facts.slot_time_ns[laser % kSlotsPerBlock],
+          .azimuth_rad = aim.azimuth_rad,
+          .up_m = aim.up_m,
+          .left_m = aim.left_m,
+          .ring = static_cast<std::size_t>(ring)};
+}
+
+}  // namespace
+
 BeamModel beam_model(const Facts& facts) {
   BeamModel model{.name = std::string(enum_names<Model>[static_cast<std::size_t>(facts.model)]),
                   .lasers = {},
                   .firing_period_ns = facts.step_ns,
+                  .block_ns = facts.step_ns,
                   .rate_hz = 10.0,
                   .clockwise = true,
                   .range_min_m = facts.range_min_m,
                   .range_max_m = facts.range_max_m,
                   .range_resolution_m = facts.range_step_m};
-  const std::size_t firings_per_block = kSlotsPerBlock / facts.lasers_per_firing;
-  model.firing_period_ns /= static_cast<std::int64_t>(firings_per_block);
-  for (std::size_t laser = 0; laser < facts.lasers; ++laser) {
-    model.lasers.push_back(
-        {facts.calibration[laser].elevation_rad, facts.slot_time_ns[laser % kSlotsPerBlock]});
+  const std::vector<std::int64_t> rings = rings_of(facts.calibration);
+  const auto add = [&](std::size_t from, std::size_t to, std::int64_t step) {
+    for (std::size_t laser = from; laser < to; ++laser) {
+      model.lasers.push_back(shot_of(facts, laser, rings[laser], step));
+    }
+  };
+  if (facts.banks == 2 && !facts.banks_share_step) {  // a step of the lower bank after three of the upper one
+    constexpr std::int64_t kUpperSteps = 3;
+    for (std::int64_t step = 0; step < kUpperSteps; ++step) add(0, kSlotsPerBlock, step);
+    add(kSlotsPerBlock, facts.lasers, kUpperSteps);
+    model.firing_period_ns *= kUpperSteps + 1;
+  } else {
+    add(0, facts.lasers, 0);
+    model.firing_period_ns /= static_cast<std::int64_t>(kSlotsPerBlock / facts.lasers_per_firing);
   }
   return model;
 }

@@ -86,7 +86,8 @@ struct Facts {
 /// For each laser its ring: 0 is the lowest elevation.
 [[nodiscard]] std::vector<std::int64_t> rings_of(const Calibration& calibration);
 
-/// The same facts for the simulator: the lasers of one firing, in firing order, at 10 revolutions a second.
+/// The same facts for the simulator: the shots of one firing, in the order in which they are sent, at 10
+/// revolutions a second.
 [[nodiscard]] BeamModel beam_model(const Facts& facts);
 
 }  // namespace verge::sensor::velodyne

@@ -84,6 +84,10 @@ TEST(VelodyneFacts, TheBeamModelHasOneFiringsLasers) {
   const BeamModel hdl64e = beam_model(facts_of(Model::kHdl64eS2));
   EXPECT_EQ(hdl64e.lasers.size(), 64U);
   EXPECT_EQ(hdl64e.lasers[32].time_ns, hdl64e.lasers[0].time_ns) << "both banks fire together";
+  const BeamModel first_series = beam_model(facts_of(Model::kHdl64eS1));
+  EXPECT_EQ(first_series.lasers.size(), 4U * 32U) << "three steps of the upper bank, one of the lower";
+  EXPECT_EQ(first_series.firing_period_ns, 4 * 32'051);
+  EXPECT_EQ(first_series.lasers[0].ring, first_series.lasers[64].ring);
 }
 
 }  // namespace

@@ -7,9 +7,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "verge/core/angle.hpp"
+#include "verge/core/byte_writer.hpp"
 #include "verge/sensor/velodyne/packet.hpp"
 
 namespace verge::sensor::velodyne {
@@ -103,15 +108,19 @@ NmeaReading read_body(std::string_view body) {
   return {NmeaFault::kNone, *date + *time, fields[2] == "A"};
 }
 
+unsigned checksum(std::string_view body) {
+  unsigned sum = 0;
+  for (const char c : body) sum ^= static_cast<unsigned char>(c);
+  return sum;
+}
+
 /// One sentence from behind its '$' to its line's end.
 NmeaReading read_sentence(std::string_view text) {
   const std::size_t star = text.find('*');
   if (star == std::string_view::npos || text.size() < star + 3) return {NmeaFault::kNoChecksum, 0, false};
   const auto told = number<unsigned>(text.substr(star + 1, 2), 16);
   if (!told) return {NmeaFault::kNoChecksum, 0, false};
-  unsigned sum = 0;
-  for (const char c : text.substr(0, star)) sum ^= static_cast<unsigned char>(c);
-  if (sum != *told) return {NmeaFault::kBadChecksum, 0, false};
+  if (checksum(text.substr(0, star)) != *told) return {NmeaFault::kBadChecksum, 0, false};
   return read_body(text.substr(0, star));
 }
 
@@ -147,6 +156,28 @@ PositionPacket parse_position(Bytes payload) {
   packet.sentence = sentence_of(payload);
   packet.nmea = read_nmea(packet.sentence);
   return packet;
+}
+
+PositionBytes locked_position(std::int64_t utc_ns) {
+  using std::chrono::floor;
+  const std::chrono::sys_time<std::chrono::nanoseconds> time{std::chrono::nanoseconds{utc_ns}};
+  const std::chrono::year_month_day date{floor<std::chrono::days>(time)};
+  const std::chrono::hh_mm_ss day{floor<std::chrono::seconds>(time) - floor<std::chrono::days>(time)};
+  const std::string body = fmt::format(
+      "GPRMC,{:02}{:02}{:02},A,0000.0000,N,00000.0000,E,000.0,000.0,{:02}{:02}{:02},000.0,E,A",
+      day.hours().count(), day.minutes().count(), day.seconds().count(), static_cast<unsigned>(date.day()),
+      static_cast<unsigned>(date.month()), static_cast<int>(date.year()) % 100);
+  const std::string sentence = fmt::format("${}*{:02X}\r\n", body, checksum(body));
+  const auto in_hour = time - floor<std::chrono::hours>(time);
+  ByteWriter writer;
+  writer.zeros(kStampAt).le(static_cast<std::uint32_t>(floor<std::chrono::microseconds>(in_hour).count()));
+  writer.le(static_cast<std::uint8_t>(Pps::kLocked))
+      .zeros(kSentenceAt - kPpsAt - 1)
+      .bytes(std::as_bytes(std::span(sentence)));
+  PositionBytes bytes{};
+  const std::vector<std::byte> begin = std::move(writer).take();
+  std::copy(begin.begin(), begin.end(), bytes.begin());
+  return bytes;
 }
 
 }  // namespace verge::sensor::velodyne

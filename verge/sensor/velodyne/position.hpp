@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "verge/core/bytes.hpp"
+#include "verge/sensor/velodyne/packet.hpp"
 
 namespace verge::sensor::velodyne {
 
@@ -59,5 +60,12 @@ struct PositionPacket {
 
 /// Exactly kPositionBytes of `payload`; defined for every content. Source: docs/formats_velodyne.md.
 [[nodiscard]] PositionPacket parse_position(Bytes payload);
+
+using PositionBytes = std::array<std::byte, kPositionBytes>;
+
+/// The position packet of a sensor at that time whose receiver is locked: stamp, pulse a second, and the RMC
+/// sentence of the second that has begun, at 0 degrees north and east. The sensor does not move (inertial
+/// readings of 0). The year of the sentence has two digits: 1980 to 2079 can be said.
+[[nodiscard]] PositionBytes locked_position(std::int64_t utc_ns);
 
 }  // namespace verge::sensor::velodyne

@@ -15,8 +15,6 @@
 namespace verge::sensor::velodyne {
 namespace {
 
-using PositionBytes = std::array<std::byte, kPositionBytes>;
-
 /// "$body*checksum".
 std::string sentence(const std::string& body) {
   unsigned sum = 0;
@@ -155,6 +153,18 @@ TEST(VelodynePosition, InertialValuesAreTwelveBitsOfTwosComplement) {
   EXPECT_NEAR(rad_to_deg(packet.inertial[1].gyro_rad_s), -0.09766, 1e-9);
   EXPECT_NEAR(packet.inertial[0].temperature_c, 25.0 - 2048 * 0.1453, 1e-9);
   EXPECT_NEAR(packet.inertial[2].acceleration_x_mps2, 2047 * 0.001221 * 9.80665, 1e-9);
+}
+
+TEST(LockedPosition, SaysTheTimeThatItWasMadeFor) {
+  for (const std::int64_t utc_ns :
+       {315'532'800'000'000'000, 1'767'225'599'999'999'999, 3'471'292'799'000'001'000}) {
+    const PositionPacket packet = parse_position(locked_position(utc_ns));
+    EXPECT_EQ(packet.nmea.fault, NmeaFault::kNone);
+    EXPECT_EQ(packet.nmea.utc_ns, utc_ns / 1'000'000'000 * 1'000'000'000);
+    EXPECT_TRUE(packet.nmea.locked);
+    EXPECT_EQ(packet.pps, Pps::kLocked);
+    EXPECT_EQ(packet.stamp_us, utc_ns / 1000 % 3'600'000'000);
+  }
 }
 
 }  // namespace
