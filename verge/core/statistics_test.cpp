@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "verge/core/round_length.hpp"
+
 namespace verge {
 namespace {
 
@@ -47,6 +49,14 @@ RC_GTEST_PROP(Statistics, PercentileAgreesWithSorting, (const std::vector<std::i
   const double expected =
       v[k] * (1.0 - (position - static_cast<double>(k))) + above * (position - static_cast<double>(k));
   RC_ASSERT(std::abs(got - expected) < 1e-9);
+}
+
+TEST(RoundLength, IsTheGreatestRoundOneNotAbove) {
+  EXPECT_EQ(round_length(15.0), 10.0);
+  EXPECT_EQ(round_length(10.0), 10.0);
+  EXPECT_EQ(round_length(0.4), 0.2);
+  EXPECT_EQ(round_length(999.0), 500.0);
+  EXPECT_EQ(round_length(2.0), 2.0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "verge/core/round_length.hpp"
 #include "verge/emit/bev_theme.hpp"
 
 namespace verge::emit {
@@ -130,14 +131,6 @@ void draw_ticks(Canvas& canvas, const BevView& view, const BevPlot::Config& conf
 }
 
 }  // namespace
-
-double round_length(double length) {
-  const double power = std::pow(10.0, std::floor(std::log10(length)));
-  for (const double factor : {5.0, 2.0}) {
-    if (factor * power <= length) return factor * power;
-  }
-  return power;
-}
 
 void draw_rings(Canvas& canvas, const BevView& view) {
   const double step = view.pixels_a_metre() * ring_step_m(view);

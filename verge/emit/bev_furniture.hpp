@@ -6,9 +6,6 @@
 
 namespace verge::emit {
 
-/// The greatest of 1, 2 and 5 times a power of ten that is not above `length` (which is positive).
-[[nodiscard]] double round_length(double length);
-
 /// Under the layers: range rings with their distances.
 void draw_rings(Canvas& canvas, const BevView& view);
 void draw_ring_labels(Canvas& canvas, const BevView& view);

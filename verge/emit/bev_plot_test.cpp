@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "verge/emit/bev_furniture.hpp"
 #include "verge/emit/bev_layers.hpp"
 #include "verge/emit/bev_theme.hpp"
 #include "verge/emit/test_folder.hpp"
@@ -225,14 +224,6 @@ TEST(BevPlot, AConfigurationOutOfRangeIsRefused) {
   config = {};
   config.height_max_m = config.height_min_m;
   EXPECT_THROW(BevPlot{config}, std::invalid_argument);
-}
-
-TEST(RoundLength, IsTheGreatestRoundOneNotAbove) {
-  EXPECT_EQ(round_length(15.0), 10.0);
-  EXPECT_EQ(round_length(10.0), 10.0);
-  EXPECT_EQ(round_length(0.4), 0.2);
-  EXPECT_EQ(round_length(999.0), 500.0);
-  EXPECT_EQ(round_length(2.0), 2.0);
 }
 
 using BevFileTest = TestFolder;
