@@ -26,8 +26,8 @@ std::unique_ptr<Detector> make_of(std::span<const Setting> overrides) {
 
 template <class Type>
 constexpr Method entry(std::string_view name, Order order, std::string_view summary,
-                       std::string_view citation) {
-  return {name, summary, citation, order, &fields_of<Type>, &make_of<Type>};
+                       std::string_view citation, Says says = {}) {
+  return {name, summary, citation, order, says, &fields_of<Type>, &make_of<Type>};
 }
 
 /// One line a method: this is all that a new one adds here.

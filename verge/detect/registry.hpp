@@ -12,12 +12,19 @@
 
 namespace verge::detect {
 
+/// What a method says of a scan beside boundaries. What it does not say is not judged.
+struct Says {
+  bool corners = false;
+  bool objects = false;
+};
+
 /// A method by name: what it is, where it comes from, and how to make it.
 struct Method {
   std::string_view name;      ///< As in --method, and the section of its settings in a file.
   std::string_view summary;   ///< One line.
   std::string_view citation;  ///< The paper.
   Order order = Order::kSequential;
+  Says says;
   /// Its settings with the overrides applied. Throws std::invalid_argument as set_field().
   std::vector<FieldRow> (*fields)(std::span<const Setting> overrides);
   /// The detector with the overrides applied. Throws std::invalid_argument as set_field().

@@ -87,6 +87,10 @@ void follow_reports(const CornerFrame& frame, std::size_t scan, double near_m, s
   }
 }
 
+double way_between(const CornerFrame& a, const CornerFrame& b) {
+  return a.place && b.place ? distance(*a.place, *b.place) : 0.0;
+}
+
 void append(std::vector<double>& to, const std::vector<double>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
@@ -103,12 +107,17 @@ CornerScore& CornerScore::operator+=(const CornerScore& more) {
   append(latency_scans, more.latency_scans);
   append(latency_m, more.latency_m);
   append(position_error_m, more.position_error_m);
+  way_m += more.way_m;
   return *this;
 }
 
 std::optional<double> CornerScore::m1() const { return share_of(detected, true_corners); }
 std::optional<double> CornerScore::m2() const { return share_of(false_reported, false_presented); }
 std::optional<double> CornerScore::false_discovery_rate() const { return share_of(false_reports, reports); }
+std::optional<double> CornerScore::false_reports_a_km() const {
+  if (!(way_m > 0.0)) return std::nullopt;
+  return 1000.0 * static_cast<double>(false_reports) / way_m;
+}
 
 CornerScore score_corners(std::span<const CornerFrame> drive, double near_m) {
   CornerScore score;
@@ -119,6 +128,7 @@ CornerScore score_corners(std::span<const CornerFrame> drive, double near_m) {
     for (const Corner& corner : frame.truth->corners)
       follow_event(corner, scan, frame.prediction, near_m, events, score);
     follow_reports(frame, scan, near_m, reports, score);
+    if (scan > 0) score.way_m += way_between(drive[scan - 1], frame);
   }
   for (const auto& [id, report] : reports) end_report(report, score);
   return score;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "verge/core/vec.hpp"
 #include "verge/model/scene.hpp"
 
 namespace verge::eval {
@@ -17,6 +18,7 @@ namespace verge::eval {
 struct CornerFrame {
   const Scene* prediction = nullptr;  ///< Null: nothing was predicted.
   const Scene* truth = nullptr;
+  std::optional<Vec2> place{};  ///< Of the sensor in the world, metres; none where it is not known.
 };
 
 /// What a drive's corners came to; those of several drives are added up. An event is a corner of the truth
@@ -33,12 +35,14 @@ struct CornerScore {
   std::vector<double> latency_scans;
   std::vector<double> latency_m;
   std::vector<double> position_error_m;
+  double way_m = 0.0;  ///< From place to place, where both are known.
 
   CornerScore& operator+=(const CornerScore& more);
 
   [[nodiscard]] std::optional<double> m1() const;  ///< Detected / true corners (paper 1's first measure).
   [[nodiscard]] std::optional<double> m2() const;  ///< False reported / false presented (its second).
   [[nodiscard]] std::optional<double> false_discovery_rate() const;  ///< False reports / all reports.
+  [[nodiscard]] std::optional<double> false_reports_a_km() const;    ///< None where no way is known.
 };
 
 /// Scores one drive, its scans in order of time. A prediction is near a corner of the truth within near_m,

@@ -97,6 +97,17 @@ Scene with_junction(JunctionType type, Vec2 center, std::vector<double> branches
   return scene;
 }
 
+TEST(CornerScore, FalseReportsAreCountedAKilometreOfTheWay) {
+  Scene alarm;
+  alarm.corners = {{.id = 1, .position = {50.0, 0.0}, .confidence = 1.0}};
+  const Scene truth;
+  std::vector<CornerFrame> drive = {{&alarm, &truth, Vec2{0.0, 0.0}}, {&truth, &truth, Vec2{30.0, 40.0}}};
+  EXPECT_DOUBLE_EQ(score_corners(drive).way_m, 50.0);
+  EXPECT_DOUBLE_EQ(*score_corners(drive).false_reports_a_km(), 20.0);
+  drive[1].place.reset();
+  EXPECT_FALSE(score_corners(drive).false_reports_a_km().has_value());
+}
+
 TEST(JunctionScore, TypesBranchesAndCentersAreCompared) {
   const double pi = std::numbers::pi;
   const JunctionScore score =

@@ -86,6 +86,7 @@ ObjectScore& ObjectScore::operator+=(const ObjectScore& more) {
   under_segmented += more.under_segmented;
   append(heading_error_rad, more.heading_error_rad);
   append(corner_error_m, more.corner_error_m);
+  append(overlap, more.overlap);
   for (std::size_t i = 0; i < kClasses; ++i) {
     class_predicted.at(i) += more.class_predicted.at(i);
     class_truth.at(i) += more.class_truth.at(i);
@@ -116,6 +117,7 @@ ObjectScore score_objects(const Scene& prediction, const Scene& truth, double ra
     score.class_matched.at(static_cast<std::size_t>(t.type)) += p.type == t.type ? 1U : 0U;
     score.heading_error_rad.push_back(std::fabs(std::remainder(p.yaw_rad - t.yaw_rad, std::numbers::pi)));
     score.corner_error_m.push_back(corner_error_m(p, t));
+    score.overlap.push_back(pair.overlap);
   }
   score.over_segmented = hold_several(known, predicted);
   score.under_segmented = hold_several(predicted, known);

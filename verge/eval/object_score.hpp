@@ -22,6 +22,7 @@ struct ObjectScore {
   std::size_t under_segmented = 0;  ///< Predictions that hold at least half of two true objects or more.
   std::vector<double> heading_error_rad;  ///< Of pairs, sizes in 0..pi/2: front and back are not told apart.
   std::vector<double> corner_error_m;     ///< Of pairs: mean distance of the footprints' corners.
+  std::vector<double> overlap;            ///< Of pairs: intersection over union.
   /// By class: predicted, true, and pairs of the same class.
   std::array<std::size_t, kClasses> class_predicted{};
   std::array<std::size_t, kClasses> class_truth{};

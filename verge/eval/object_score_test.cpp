@@ -88,6 +88,7 @@ TEST(ObjectScore, FrontAndBackAreNotToldApart) {
   EXPECT_THAT(score.heading_error_rad, ElementsAre(DoubleNear(0.05, 1e-12)));
   // Each corner moves on a circle of radius sqrt(5) by 0.05 rad.
   EXPECT_THAT(score.corner_error_m, ElementsAre(DoubleNear(2.0 * std::sqrt(5.0) * std::sin(0.025), 1e-12)));
+  EXPECT_THAT(score.overlap, ElementsAre(testing::Gt(0.5)));
 }
 
 TEST(ObjectScore, OneBoxOverTwoCarsIsUnderSegmented) {
