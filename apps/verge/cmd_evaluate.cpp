@@ -11,10 +11,12 @@
 #include "apps/verge/console.hpp"
 #include "apps/verge/evaluate_labels.hpp"
 #include "apps/verge/evaluate_request.hpp"
+#include "apps/verge/evaluate_suite.hpp"
 #include "apps/verge/evaluate_truth.hpp"
 #include "apps/verge/number_range.hpp"
 #include "apps/verge/options.hpp"
 #include "verge/core/atomic_file.hpp"
+#include "verge/study/suite.hpp"
 
 namespace verge::app {
 namespace {
@@ -24,7 +26,11 @@ constexpr const char* kExamples =
     "  verge evaluate found.jsonl --truth truth.jsonl              # how far from the truth, as tables\n"
     "  verge evaluate found.jsonl --truth truth.jsonl --json -     # the same for programs, scan by scan\n"
     "  verge evaluate --predictions other.jsonl --labels nuscenes  # any program against labelled scans\n"
-    "  verge evaluate found.jsonl --labels sequences/00 --tolerance 0.1,0.3 --per-frame --csv figures.csv\n";
+    "  verge evaluate found.jsonl --labels sequences/00 --tolerance 0.1,0.3 --per-frame --csv figures.csv\n"
+    "  verge evaluate --suite degradation -o degradation          # drives, table and "
+    "degradation/report.html\n"
+    "  verge evaluate --suite paper3 --drives 2 --scans 5 --method gradient --method "
+    "gradient:reading=paper\n";
 
 bool is_standard_output(const std::optional<std::string>& target) { return target && *target == "-"; }
 
@@ -33,25 +39,14 @@ Expected<void> write_where_asked(const std::optional<std::string>& target, const
   return write_file(*target, text);
 }
 
-/// The files, then standard output: one of the two forms where "-" is its file, else the table.
-ExitCode hand_out(const EvaluateRequest& request, const EvaluationOutput& output, Console& console) {
-  auto written = write_where_asked(request.json, output.json);
-  if (written) written = write_where_asked(request.csv, output.csv);
-  if (!written) {
-    console.error(written.error());
-    return exit_code_of(written.error().code);
-  }
-  if (is_standard_output(request.json)) return print_data(output.json);
-  return print_data(is_standard_output(request.csv) ? output.csv : output.table);
-}
-
 /// None where the request makes sense.
 std::optional<std::string> nonsense_in(const EvaluateRequest& request) {
-  if (request.predictions.empty()) return "no predictions: name a file of JSON lines";
-  if (!request.truth && !request.labels)
-    return "nothing to compare with: give --truth FILE or --labels FOLDER";
   if (is_standard_output(request.json) && is_standard_output(request.csv))
     return "--json and --csv cannot both be standard output";
+  if (request.suite) return std::nullopt;
+  if (request.predictions.empty()) return "no predictions: name a file of JSON lines";
+  if (!request.truth && !request.labels)
+    return "nothing to compare with: give --truth FILE, --labels FOLDER or --suite NAME";
   return std::nullopt;
 }
 
@@ -61,6 +56,7 @@ ExitCode evaluate(const EvaluateRequest& request) {
     console.error({ErrorCode::kUsage, {}, {}, *nonsense, {}, {}});
     return ExitCode::kUsage;
   }
+  if (request.suite) return evaluate_suite(request, console);
   const auto output = request.labels ? evaluate_labels(request, console) : evaluate_truth(request, console);
   if (output) return hand_out(request, *output, console);
   console.error(output.error());
@@ -81,12 +77,63 @@ void add_sources(CLI::App& verb, EvaluateRequest& request) {
       ->excludes(truth);
 }
 
+std::string suite_help() {
+  std::string text = "a ready evaluation, with its table and report:";
+  for (const study::SuiteEntry& entry : study::suites())
+    text += fmt::format("{} {} ({})", &entry == study::suites().data() ? "" : ";", entry.name, entry.about);
+  return text;
+}
+
+void add_suite(CLI::App& verb, EvaluateRequest& request) {
+  auto* suite = verb.add_option("--suite", request.suite, suite_help())->type_name("NAME");
+  verb.get_option("--truth")->excludes(suite);
+  verb.get_option("--labels")->excludes(suite);
+  const auto add = [&](const char* name, auto& value, const char* about) {
+    return verb.add_option(name, value, about)->needs(suite);
+  };
+  add("-o,--output", request.folder,
+      "of a suite: folder for results.json, results.csv, report.html and the parts that are done, from which "
+      "a "
+      "later run goes on")
+      ->type_name("FOLDER");
+  add("--method", request.methods,
+      "of a suite: METHOD or METHOD:KEY=VALUE,..., may stand several times (default: all, in their readings)")
+      ->type_name("M")
+      ->allow_extra_args(false);
+  add("--drives", request.drives, "of a suite: drives a cell, in the place of its own number")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
+  add("--scans", request.scans, "of a suite: scans a drive, in the place of its own number")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
+  add("--data", request.data, "of suite real: where the labelled sets lie (default: $VERGE_DATA)")
+      ->type_name("FOLDER");
+  add("-j,--jobs", request.jobs, "of a suite: parts worked on at once; 0: as many as the machine can")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
+  verb.add_flag("--no-times", request.no_times,
+                "of a suite: leave out run times, which differ from run to run")
+      ->needs(suite);
+}
+
 }  // namespace
+
+ExitCode hand_out(const EvaluateRequest& request, const EvaluationOutput& output, Console& console) {
+  auto written = write_where_asked(request.json, output.json);
+  if (written) written = write_where_asked(request.csv, output.csv);
+  if (!written) {
+    console.error(written.error());
+    return exit_code_of(written.error().code);
+  }
+  if (is_standard_output(request.json)) return print_data(output.json);
+  return print_data(is_standard_output(request.csv) ? output.csv : output.table);
+}
 
 void add_evaluate(CLI::App& program, Action& action) {
   CLI::App* verb = program.add_subcommand("evaluate", "say how far what was found is from the truth");
   const auto request = std::make_shared<EvaluateRequest>();
   add_sources(*verb, *request);
+  add_suite(*verb, *request);
   verb->add_option("--range", request->range_m, "compare within this distance of the sensor")
       ->type_name("M")
       ->capture_default_str()

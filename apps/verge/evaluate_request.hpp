@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +17,14 @@ struct EvaluateRequest {
   std::string predictions;            ///< JSON lines; "-" is standard input.
   std::optional<std::string> truth;   ///< JSON lines of Scenes; or
   std::optional<std::string> labels;  ///< a folder of labelled scans.
+  std::optional<std::string> suite;   ///< Or a suite, with what follows.
+  std::optional<std::filesystem::path> folder;
+  std::vector<std::string> methods;  ///< Empty: all that there are.
+  std::optional<std::size_t> drives;
+  std::optional<std::size_t> scans;
+  std::optional<std::filesystem::path> data;  ///< Where the labelled sets lie; none: $VERGE_DATA.
+  std::size_t jobs = 0;                       ///< 0: as many as the machine can.
+  bool no_times = false;
   double range_m = 20.0;
   std::vector<double> tolerance_m;  ///< Empty: those of the protocol.
   double gap_m = 0.6;  ///< Of labels: widest gap between two returns with the boundary in between.
@@ -31,5 +41,10 @@ struct EvaluationOutput {
   std::string json;
   std::string csv;
 };
+
+/// The files that --json and --csv name are written, and one of the three goes to standard
+/// output.
+[[nodiscard]] ExitCode hand_out(const EvaluateRequest& request, const EvaluationOutput& output,
+                                Console& console);
 
 }  // namespace verge::app

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/study/labelled_part.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "verge/eval/label_score.hpp"
+#include "verge/io/source.hpp"
+#include "verge/pipeline/stages.hpp"
+
+namespace verge::study {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kGap_m = 0.6;  // as `verge evaluate --labels`
+constexpr double kPoorAt_m = 0.3;
+
+/// The folders in which the scans lie, each once, in order.
+std::vector<fs::path> folders_of(std::span<const eval::LabelledScan> known) {
+  std::vector<fs::path> folders;
+  for (const eval::LabelledScan& scan : known) {
+    const fs::path folder = scan.scan.parent_path();
+    if (!scan.scan.empty() && std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
+  }
+  return folders;
+}
+
+/// Prepared frames of a set in order, as `verge detect` sees them.
+class Feed {
+ public:
+  Feed(std::vector<fs::path> folders, const PartHooks& hooks) : folders_(std::move(folders)), hooks_(hooks) {}
+
+  /// The next scan that can be read; none at the end. Fails as io::open().
+  [[nodiscard]] Expected<std::optional<pipeline::Frame>> next() {
+    while (true) {
+      if (!source_) {
+        if (folder_ == folders_.size()) return std::optional<pipeline::Frame>();
+        auto opened = io::open(folders_[folder_++]);
+        if (!opened) return Unexpected(std::move(opened).error());
+        source_ = *std::move(opened);
+      }
+      if (auto frame = of_source()) return frame;
+    }
+  }
+
+  [[nodiscard]] std::size_t damaged() const { return damaged_; }
+
+ private:
+  [[nodiscard]] std::optional<pipeline::Frame> of_source() {
+    while (true) {
+      auto scan = source_->next();
+      if (!scan) {
+        ++damaged_;
+        hooks_.warning(to_string(scan.error()));
+        continue;
+      }
+      if (!*scan) break;
+      pipeline::Frame frame;
+      frame.scan = **std::move(scan);
+      const auto begin = std::chrono::steady_clock::now();
+      pipeline::prepare(frame, {});
+      frame.times.mount_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      return frame;
+    }
+    source_.reset();
+    return std::nullopt;
+  }
+
+  std::vector<fs::path> folders_;
+  const PartHooks& hooks_;
+  std::size_t folder_ = 0;
+  std::unique_ptr<io::Source> source_;
+  std::size_t damaged_ = 0;
+};
+
+double seconds_to_detect(pipeline::Frame& frame, detect::Detector& detector, const Contestant& contestant) {
+  const auto begin = std::chrono::steady_clock::now();
+  pipeline::detect_on(frame, detector,
+                      {.mount_hint = {}, .mount_config = {}, .method = contestant.name, .config_hash = {}});
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// What a method finds on a set, by frame; none where it was stopped. Times and damage go into the tally.
+Expected<std::optional<Predictions>> predict(std::span<const eval::LabelledScan> known,
+                                             const Contestant& contestant, const PartHooks& hooks,
+                                             Tally& tally) {
+  const auto detector = detector_of(contestant);
+  Feed feed(folders_of(known), hooks);
+  Predictions predictions;
+  while (true) {
+    if (hooks.stop.load()) return std::optional<Predictions>();
+    auto frame = feed.next();
+    if (!frame) return Unexpected(std::move(frame).error());
+    if (!*frame) break;
+    const double detect_s = seconds_to_detect(**frame, *detector, contestant);
+    tally.seconds.add((*frame)->times.mount_s + detect_s);
+    predictions.insert_or_assign(eval::frame_stem((*frame)->scan.frame), std::move((*frame)->scene));
+    hooks.scan_done();
+  }
+  tally.damaged = feed.damaged();
+  return predictions;
+}
+
+double f1_of(const eval::LabelScore& score) {
+  const auto at = std::ranges::find(score.at, kPoorAt_m, &eval::ToleranceScore::tolerance_m);
+  return at == score.at.end() ? 0.0 : eval::figures_of(score, *at).f1;
+}
+
+/// Adds what the labels of the scans say of the predictions.
+Expected<void> add_scores(const LabelledScans& set, std::span<const eval::LabelledScan> known,
+                          const Predictions& predictions, Tally& tally) {
+  for (std::size_t i = set.odd_only ? 1 : 0; i < known.size(); i += set.odd_only ? 2 : 1) {
+    const auto truth = eval::read_labelled_truth(known[i], kGap_m);
+    if (!truth) return Unexpected(truth.error());
+    const auto found = predictions.find(known[i].frame);
+    const Scene* prediction = found == predictions.end() ? nullptr : &found->second;
+    const eval::LabelScore score = eval::score(*truth, prediction, {});
+    tally.labels += score;
+    ++tally.scans;
+    tally.absent += score.absent;
+    if (!known[i].scan.empty()) note_poorest(tally, {f1_of(score), 0, i, known[i].frame});
+  }
+  return {};
+}
+
+/// What the labels say, as boundaries: the joined segments, and the points that stand alone.
+Scene scene_of(const eval::LabelledTruth& truth, double height_m) {
+  Scene scene;
+  scene.frame = truth.frame;
+  for (const eval::Segment& segment : truth.segments) {
+    Boundary boundary;
+    boundary.points = {{segment.a.x, segment.a.y, height_m}, {segment.b.x, segment.b.y, height_m}};
+    scene.boundaries.push_back(std::move(boundary));
+  }
+  return scene;
+}
+
+}  // namespace
+
+Expected<std::optional<Tally>> judge_labelled(const LabelledScans& set,
+                                              std::span<const eval::LabelledScan> known,
+                                              const Contestant& contestant, const PartHooks& hooks) {
+  Tally tally;
+  std::optional<Predictions> found;
+  if (!contestant.predictions) {
+    auto predicted = predict(known, contestant, hooks, tally);
+    if (!predicted) return Unexpected(std::move(predicted).error());
+    if (!*predicted) return std::optional<Tally>();
+    found = *std::move(predicted);
+  }
+  const Predictions& predictions = contestant.predictions ? *contestant.predictions : *found;
+  if (auto added = add_scores(set, known, predictions, tally); !added) return Unexpected(added.error());
+  return tally;
+}
+
+Expected<Seen> see_labelled_again(const LabelledScans& set, const ScanScore& wanted,
+                                  const Contestant& contestant) {
+  const auto known = eval::find_labelled_scans(set.folder);
+  if (!known) return Unexpected(known.error());
+  const auto truth = eval::read_labelled_truth(known->at(wanted.scan), kGap_m);
+  if (!truth) return Unexpected(truth.error());
+  const std::atomic<bool> never{false};
+  const PartHooks hooks{never, [] {}, [](const std::string&) {}};
+  const auto detector = contestant.predictions ? nullptr : detector_of(contestant);
+  Feed feed(folders_of(*known), hooks);
+  while (true) {
+    auto frame = feed.next();
+    if (!frame) return Unexpected(std::move(frame).error());
+    if (!*frame) break;
+    const bool wanted_here = eval::frame_stem((*frame)->scan.frame) == wanted.frame;
+    if (detector && (wanted_here || detector->order() == detect::Order::kSequential))
+      (void)seconds_to_detect(**frame, *detector, contestant);
+    if (!wanted_here) continue;
+    if (contestant.predictions && contestant.predictions->contains(wanted.frame))
+      (*frame)->scene = contestant.predictions->find(wanted.frame)->second;
+    const double height_m = (*frame)->scan.mount ? -(*frame)->scan.mount->height_m : 0.0;
+    return Seen{**std::move(frame), scene_of(*truth, height_m)};
+  }
+  return Unexpected(
+      Error{ErrorCode::kUnusable, set.folder.string(), {}, "the scan is gone", wanted.frame, {}});
+}
+
+}  // namespace verge::study

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verge/core/error.hpp"
+#include "verge/study/engine.hpp"
+
+namespace verge::study {
+
+/// Results as people read them on a terminal: title, tables, notes. `times`: also how long scans took.
+[[nodiscard]] std::string text_report(const Results& results, bool times);
+
+/// One object: for each cell and contestant all figures, and the counts by tolerance, range and confidence.
+/// Run times stand apart, where asked for; all else is the same bytes for the same results.
+[[nodiscard]] std::string json_report(const Results& results, bool times);
+
+/// A row a cell and contestant, and one for what others printed; RFC 4180.
+[[nodiscard]] std::string csv_report(const Results& results);
+
+/// A scan as a picture, with what is to be said of it.
+struct Picture {
+  std::string png;
+  std::string caption;
+};
+
+/// The scans that each contestant did worst on, one a cell at most, `most` a contestant: points, what was
+/// found, and the truth over it. Fails as see_again() and emit::BevPlot::png().
+[[nodiscard]] Expected<std::vector<Picture>> worst_scans(const Results& results, std::size_t most);
+
+/// One page that needs nothing beside it: no network, no script.
+[[nodiscard]] std::string html_report(const Results& results, const std::vector<Picture>& worst, bool times);
+
+}  // namespace verge::study

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/sim/ready.hpp"
+#include "verge/sim/sensors.hpp"
+#include "verge/study/suite_list.hpp"
+
+namespace verge::study {
+namespace {
+
+constexpr std::size_t kScans = 20;
+
+/// Each drive is another stretch of the street, at another place of the lane.
+sim::DriveConfig drive_of(std::uint64_t drive) {
+  sim::DriveConfig config;
+  config.scenario = sim::ready_scenario("paper2");
+  config.scenario.course.at_m = drawn(drive, 0, 25.0, 120.0);
+  config.scenario.course.lateral_m += drawn(drive, 1, -0.4, 0.4);
+  config.scenario.roads[0].kerb_m = drawn(drive, 2, 0.1, 0.15);
+  for (std::uint64_t i = 0; sim::Row & row : config.scenario.roads[0].rows)
+    row.gap_m += drawn(drive, 3 + i++, -0.4, 0.8);
+  config.sensor = sim::sensor_named("lux");
+  config.noise.seed = drive;
+  config.noise.range_sigma_m = 0.03;
+  return config;
+}
+
+}  // namespace
+
+Suite paper2_suite(const SuiteRequest& request) {
+  Suite suite;
+  suite.name = "paper2";
+  suite.title = "Paper 2: road edges and parked cars";
+  suite.about =
+      "Road edges within 30 m, right within 0.2 m, and objects whose footprints overlap by half or more. A "
+      "two-lane road "
+      "with cars parked on both sides, LUX 0.5 m up, turned down by 1.5 degrees, range noise 3 cm. The paper "
+      "prints "
+      "pictures and no figures of these.";
+  suite.judged = {.boundaries = true, .corners = false, .objects = true};
+  suite.evaluation.range_m = 30.0;
+  suite.evaluation.ranges_m = {10.0, 20.0, 30.0, 40.0};
+  suite.cells = {{.name = "parked cars on both sides",
+                  .scans = MadeDrives{.make = drive_of,
+                                      .drives = request.drives.value_or(10),
+                                      .scans = request.scans.value_or(kScans),
+                                      .step = 2}}};
+  suite.columns = {{"scans", "scans", 0},
+                   {"precision", "precision"},
+                   {"recall", "recall"},
+                   {"lateral_p95_m", "95 % error m"},
+                   {"heading_p95_deg", "edge deg", 2},
+                   {"objects_true", "objects", 0},
+                   {"objects_precision", "found right"},
+                   {"objects_recall", "found"},
+                   {"objects_heading_p95_deg", "heading deg", 2},
+                   {"objects_iou", "IoU"}};
+  return suite;
+}
+
+}  // namespace verge::study
