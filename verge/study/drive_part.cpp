@@ -10,6 +10,7 @@
 #include "verge/study/figures.hpp"
 #include "verge/study/labelled_part.hpp"
 #include "verge/study/parts.hpp"
+#include "verge/study/thin.hpp"
 
 namespace verge::study {
 namespace {
@@ -98,7 +99,7 @@ Seen see_drive_again(const MadeDrives& drives, const ScanScore& wanted, const Co
        index += drives.step) {
     sim::Simulated simulated = world.scan(index);
     seen.frame = {};
-    seen.frame.scan = std::move(simulated.scan);
+    seen.frame.scan = thin(std::move(simulated.scan), drives.lost, wanted.drive, index);
     pipeline::prepare(seen.frame, {});
     pipeline::detect_on(seen.frame, *detector, options_of(contestant));
     seen.truth = std::move(simulated.truth);
@@ -120,7 +121,7 @@ std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const MadeDriv
     if (hooks.stop.load()) return std::nullopt;
     sim::Simulated simulated = world.scan(index_of(drives, i));
     pipeline::Frame frame;
-    frame.scan = std::move(simulated.scan);
+    frame.scan = thin(std::move(simulated.scan), drives.lost, drive, index_of(drives, i));
     const double prepare_s = seconds_of([&] { pipeline::prepare(frame, {}); });
     for (Driver& driver : drivers) driver.see(frame, prepare_s, simulated.truth, drive, index_of(drives, i));
     if (suite.judged.corners) truths.push_back(corners_of(simulated.truth));

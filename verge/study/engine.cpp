@@ -58,8 +58,8 @@ void add_drives(const Suite& suite, std::size_t cell, const MadeDrives& drives, 
                 std::vector<Job>& jobs) {
   for (std::uint64_t drive = 1; drive <= drives.drives; ++drive) {
     Job job{.cell = cell, .drive = drive};
-    job.settings =
-        settings_of(suite, salt) + fmt::format("{} {} {}\n", drives.first_scan, drives.scans, drives.step);
+    job.settings = settings_of(suite, salt) +
+                   fmt::format("{} {} {} {}\n", drives.first_scan, drives.scans, drives.step, drives.lost);
     job.scans = drives.scans;
     jobs.push_back(std::move(job));
   }

@@ -29,6 +29,7 @@
 #include "verge/study/report.hpp"
 #include "verge/study/table.hpp"
 #include "verge/study/tally_json.hpp"
+#include "verge/study/thin.hpp"
 
 namespace verge::study {
 namespace {
@@ -288,6 +289,27 @@ TEST_F(Engine, SaysWhatCannotBeKeptOrJudged) {
   const RunHooks hooks{[](std::size_t, std::size_t) {}, [](const std::string&) {}};
   const auto results = run(small_suite(), {contestant_of("file", Predictions{})}, {}, hooks, stop);
   EXPECT_EQ(results.error().code, ErrorCode::kUsage);
+}
+
+TEST(Thin, LosesTheShareThatWasAskedForAndKeepsRings) {
+  const sim::Drive drive(std::get<MadeDrives>(small_suite().cells[0].scans).make(1));
+  const Scan whole = drive.scan(0).scan;
+  const Scan thinned = thin(whole, 0.3, 1, 0);
+  // Binomial: five deviations.
+  const auto count = static_cast<double>(whole.size());
+  EXPECT_NEAR(static_cast<double>(thinned.size()), 0.7 * count, 5.0 * std::sqrt(0.21 * count));
+  EXPECT_EQ(thinned.ring_count(), whole.ring_count());
+  EXPECT_EQ(thinned.ring_begin.back(), thinned.size());
+  std::size_t in_whole = 0;
+  for (std::size_t ring = 0; ring < thinned.ring_count(); ++ring) {
+    for (auto [i, end] = thinned.ring(ring); i < end; ++i) {
+      while (whole.input_index.at(in_whole) != thinned.input_index[i]) ++in_whole;
+      ASSERT_TRUE(in_whole >= whole.ring(ring).first && in_whole < whole.ring(ring).second);
+      ASSERT_EQ(thinned.range[i], whole.range[in_whole]);
+    }
+  }
+  EXPECT_EQ(thin(whole, 0.0, 1, 0).size(), whole.size());
+  EXPECT_EQ(thin(whole, 1.0, 1, 0).size(), 0U);
 }
 
 // --- What is told

@@ -26,6 +26,7 @@ struct MadeDrives {
   std::size_t scans = 1;         ///< Of each drive.
   std::uint64_t first_scan = 0;  ///< Index of the first one, ...
   std::uint64_t step = 1;        ///< ... and from one to the next.
+  double lost = 0.0;             ///< Share of each scan's returns that go missing, whatever their range.
 };
 
 /// A folder of labelled scans.

@@ -52,8 +52,6 @@ void set_parked(sim::DriveConfig& config, double value) {
   }
 }
 
-void set_dropout(sim::DriveConfig& config, double value) { config.noise.dropout_at_range_max = value; }
-
 /// An arc, to the left on odd drives and to the right on even ones.
 void set_curvature(sim::DriveConfig& config, double value) {
   const double sign = config.noise.seed % 2 == 1 ? 1.0 : -1.0;
@@ -80,6 +78,14 @@ void add_condition(std::vector<Cell>& cells, const std::string& condition, const
   }
 }
 
+void add_losses(std::vector<Cell>& cells, const SuiteRequest& request) {
+  const std::size_t before = cells.size();
+  const auto nothing = [](sim::DriveConfig&, double) {};
+  add_condition(cells, "returns lost, share", {0.0, 0.1, 0.2, 0.3}, nothing, request);
+  for (std::size_t i = before; i < cells.size(); ++i)
+    std::get<MadeDrives>(cells[i].scans).lost = cells[i].value;
+}
+
 }  // namespace
 
 Suite degradation_suite(const SuiteRequest& request) {
@@ -95,7 +101,7 @@ Suite degradation_suite(const SuiteRequest& request) {
   add_condition(suite.cells, "kerb height, m", {0.03, 0.05, 0.08, 0.1, 0.12, 0.15, 0.2}, set_kerb, request);
   add_condition(suite.cells, "pitch, degrees", {-2.0, -1.0, 0.0, 1.0, 2.0}, set_pitch, request);
   add_condition(suite.cells, "kerb behind parked cars, share", {0.0, 0.2, 0.4, 0.6}, set_parked, request);
-  add_condition(suite.cells, "returns lost, share", {0.0, 0.1, 0.2, 0.3}, set_dropout, request);
+  add_losses(suite.cells, request);
   add_condition(suite.cells, "curvature, 1/m", {0.002, 0.005, 0.01, 0.02, 0.033, 0.05}, set_curvature,
                 request);
   suite.columns = {{"scans", "scans", 0},        {"precision", "precision"},
