@@ -100,7 +100,8 @@ Suite degradation_suite(const SuiteRequest& request) {
   add_condition(suite.cells, "range noise, m", {0.01, 0.02, 0.03, 0.04, 0.05}, set_noise, request);
   add_condition(suite.cells, "kerb height, m", {0.03, 0.05, 0.08, 0.1, 0.12, 0.15, 0.2}, set_kerb, request);
   add_condition(suite.cells, "pitch, degrees", {-2.0, -1.0, 0.0, 1.0, 2.0}, set_pitch, request);
-  add_condition(suite.cells, "kerb behind parked cars, share", {0.0, 0.2, 0.4, 0.6}, set_parked, request);
+  add_condition(suite.cells, "kerb lined with parked cars, share", {0.0, 0.1, 0.2, 0.3, 0.4}, set_parked,
+                request);
   add_losses(suite.cells, request);
   add_condition(suite.cells, "curvature, 1/m", {0.002, 0.005, 0.01, 0.02, 0.033, 0.05}, set_curvature,
                 request);

@@ -7,6 +7,7 @@
 namespace verge::study {
 namespace {
 
+constexpr double kRate_hz = 12.5;
 constexpr std::size_t kScans = 20;
 
 /// Each drive is another stretch of the street, at another place of the lane.
@@ -18,7 +19,7 @@ sim::DriveConfig drive_of(std::uint64_t drive) {
   config.scenario.roads[0].kerb_m = drawn(drive, 2, 0.1, 0.15);
   for (std::uint64_t i = 0; sim::Row & row : config.scenario.roads[0].rows)
     row.gap_m += drawn(drive, 3 + i++, -0.4, 0.8);
-  config.sensor = sim::sensor_named("lux");
+  config.sensor = sim::sensor_named("lux", kRate_hz);
   config.noise.seed = drive;
   config.noise.range_sigma_m = 0.03;
   return config;
