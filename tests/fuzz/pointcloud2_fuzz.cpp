@@ -28,6 +28,23 @@ void check_cloud(io::Wire wire, Bytes message) {
   require(again->cloud.x == sent.x && again->cloud.y == sent.y && again->cloud.z == sent.z);
 }
 
+/// Two rows of three points without a ring, and bytes behind each row.
+testing::CloudParts padded_grid() {
+  testing::CloudParts parts;
+  parts.height = 2;
+  parts.width = 3;
+  parts.fields = {{"x", 0}, {"y", 4}, {"z", 8}};
+  parts.point_step = 12;
+  parts.row_step = 3 * parts.point_step + 8;
+  for (int row = 0; row < 2; ++row) {
+    for (int column = 0; column < 3; ++column)
+      parts.data += testing::le(5.0F + static_cast<float>(row)) + testing::le(static_cast<float>(column)) +
+                    testing::le(-1.5F);
+    parts.data.append(8, '\0');
+  }
+  return parts;
+}
+
 }  // namespace
 
 /// The first byte says the wire, the rest is the message.
@@ -41,6 +58,7 @@ std::vector<std::string> seeds() {
   testing::CloudParts parts = testing::simple_cloud(4);
   parts.big_endian = true;
   out.push_back("\1" + testing::cloud_message(parts, io::Wire::kCdr, true));
+  out.push_back("\1" + testing::cloud_message(padded_grid(), io::Wire::kCdr));
   return out;
 }
 
