@@ -38,6 +38,7 @@ struct CloseCapture {
 struct Capture::State {
   Input input;
   std::uint64_t at = 0;         // what libpcap reads next
+  std::uint64_t served = 0;     // what its file's buffer reads next
   std::uint64_t window_at = 0;  // what was read ahead
   std::vector<std::byte> window;
   std::optional<Error> failed;  // of the input
@@ -81,6 +82,8 @@ struct Capture::State {
   }
 
   static ssize_t read_on(void* cookie, char* buffer, std::size_t size);
+  static int seek(void* cookie, off64_t* offset, int whence);
+  void note_place();
   Expected<void> open();
   Expected<void> recognise();
   Expected<bool> check_record();
@@ -91,10 +94,22 @@ struct Capture::State {
 /// What libpcap's file reads.
 ssize_t Capture::State::read_on(void* cookie, char* buffer, std::size_t size) {
   auto& self = *static_cast<State*>(cookie);
-  const Bytes bytes = self.peek(self.at, size);
+  const Bytes bytes = self.peek(self.served, size);
   if (!bytes.empty()) std::memcpy(buffer, bytes.data(), bytes.size());
-  self.at += bytes.size();
+  self.served += bytes.size();
   return static_cast<ssize_t>(bytes.size());
+}
+
+/// For ftello() alone, which takes what its buffer holds off this: libpcap reads forward.
+int Capture::State::seek(void* cookie, off64_t* offset, int whence) {
+  if (whence != SEEK_CUR || *offset != 0) return -1;
+  *offset = static_cast<off64_t>(static_cast<State*>(cookie)->served);
+  return 0;
+}
+
+/// Behind what libpcap has read. An unbuffered file would be where it stands, but reads byte by byte.
+void Capture::State::note_place() {
+  at = static_cast<std::uint64_t>(std::max<off_t>(0, ftello(pcap_file(capture.get()))));
 }
 
 /// By the magic number: which format, whose byte order, what fractions of a second.
@@ -128,17 +143,17 @@ Expected<void> Capture::State::open() {
     }
   }
   std::unique_ptr<std::FILE, CloseFile> file(
-      fopencookie(this, "r", {&State::read_on, nullptr, nullptr, nullptr}));
+      fopencookie(this, "r", {&State::read_on, nullptr, &State::seek, nullptr}));
   if (!file) return Unexpected(input.error_at(ErrorCode::kUnusable, 0, "cannot read the capture"));
-  static_cast<void>(std::setvbuf(file.get(), nullptr, _IONBF, 0));  // so that `at` is where libpcap stands
   std::array<char, PCAP_ERRBUF_SIZE> reason{};
   capture.reset(
       pcap_fopen_offline_with_tstamp_precision(file.get(), PCAP_TSTAMP_PRECISION_NANO, reason.data()));
   if (!capture) {
     if (failed) return Unexpected(*failed);
-    return Unexpected(input.error_at(ErrorCode::kUnusable, at, reason.data()));
+    return Unexpected(input.error_at(ErrorCode::kUnusable, served, reason.data()));
   }
   static_cast<void>(file.release());  // closed with the capture
+  note_place();
   const int link = pcap_datalink(capture.get());
   if (DatagramReader::reads(link)) return {};
   return Unexpected(input.error_at(ErrorCode::kUnusable, 20, "frames of this link type cannot be read",
@@ -252,6 +267,7 @@ Expected<std::optional<CapturedFrame>> Capture::next() {
     if (state.failed) return stop(*state.failed);
     return stop(state.damaged(offset, pcap_geterr(state.capture.get()), {}, {}));
   }
+  state.note_place();
   const auto* const bytes = reinterpret_cast<const std::byte*>(data);
   state.frame.assign(bytes, bytes + header->caplen);
   CapturedFrame frame{.offset = offset, .bytes = state.frame};
