@@ -26,6 +26,25 @@ TEST(Crc32, OfTheDigitsIsThePublishedCheckValue) {
   EXPECT_EQ(crc32({}), 0U);
 }
 
+// Bit by bit, as the standard writes it.
+TEST(Crc32, OfAnyLengthAndInPiecesIsThatOfItsBits) {
+  std::string text;
+  std::uint32_t bits = 0xFFFF'FFFFU;
+  for (std::size_t length = 0; length < 64; ++length) {
+    EXPECT_EQ(crc32(bytes_of(text)), ~bits) << length;
+    for (std::size_t cut = 0; cut <= length; cut += 5) {
+      Crc32 pieces;
+      pieces.add(bytes_of(text).first(cut));
+      pieces.add(bytes_of(text).subspan(cut));
+      EXPECT_EQ(pieces.value(), ~bits) << length << ", cut at " << cut;
+    }
+    const auto next = static_cast<unsigned char>(37 * length + 201);
+    text += static_cast<char>(next);
+    bits ^= next;
+    for (int bit = 0; bit < 8; ++bit) bits = (bits >> 1U) ^ ((bits & 1U) != 0 ? 0xEDB88320U : 0U);
+  }
+}
+
 TEST(Packing, NamesAreThoseOfMcapAndOfBags) {
   EXPECT_EQ(packing_of(""), Packing::kNone);
   EXPECT_EQ(packing_of("none"), Packing::kNone);
