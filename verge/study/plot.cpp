@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -96,6 +97,16 @@ std::string grid_line(double x1, double y1, double x2, double y2) {
 /// A number as short as it is; -0 is 0.
 std::string tick_text(double value) { return fmt::format("{:.6g}", std::fabs(value) < 1e-12 ? 0.0 : value); }
 
+/// Whether the names along x stand beside each other; else they are numbered, and stand below.
+bool names_fit(const Plot& plot) {
+  constexpr double kLetter = 7.5;  // of 13 px
+  const double room =
+      (kWidth - kLeft - kRight) / static_cast<double>(std::max<std::size_t>(1, plot.x_names.size()));
+  return std::ranges::all_of(plot.x_names, [&](const std::string& name) {
+    return kLetter * static_cast<double>(name.size()) <= room;
+  });
+}
+
 std::string x_axis(const Plot& plot, const Frame& frame) {
   std::string svg;
   const double bottom = kHeight - kBelow;
@@ -105,8 +116,11 @@ std::string x_axis(const Plot& plot, const Frame& frame) {
       svg += text_at(frame.x(tick), bottom + 16.0, "middle", tick_text(tick));
     }
   }
-  for (std::size_t i = 0; i < plot.x_names.size(); ++i)
-    svg += text_at(frame.x(static_cast<double>(i)), bottom + 16.0, "middle", plot.x_names[i]);
+  const bool fit = names_fit(plot);
+  for (std::size_t i = 0; i < plot.x_names.size(); ++i) {
+    const std::string name = fit ? plot.x_names[i] : std::to_string(i + 1);
+    svg += text_at(frame.x(static_cast<double>(i)), bottom + 16.0, "middle", name);
+  }
   return svg + text_at(0.5 * (kLeft + kWidth - kRight), kHeight - 8.0, "middle", plot.x_label);
 }
 
@@ -166,6 +180,10 @@ std::string drawn_series(const Series& series, std::size_t style, const Frame& f
   return fmt::format(R"(<path class="s{} d{}" d="{}"/>)", style, style, line) + signs;
 }
 
+std::size_t legend_lines(const Plot& plot) {
+  return plot.series.size() + (names_fit(plot) ? 0 : plot.x_names.size());
+}
+
 std::string legend(const Plot& plot) {
   std::string svg;
   double y = kHeight + 12.0;
@@ -174,6 +192,11 @@ std::string legend(const Plot& plot) {
     if (plot.series[i].joined)
       svg += fmt::format(R"(<path class="s{} d{}" d="M{} {:.1f}h36"/>)", style, style, kLeft, y);
     svg += sign_at(style, kLeft + 18.0, y) + text_at(kLeft + 46.0, y + 4.0, "start", plot.series[i].name);
+  }
+  if (names_fit(plot)) return svg;
+  for (std::size_t i = 0; i < plot.x_names.size(); ++i, y += kLegendLine) {
+    svg += text_at(kLeft + 18.0, y + 4.0, "middle", std::to_string(i + 1));
+    svg += text_at(kLeft + 46.0, y + 4.0, "start", plot.x_names[i]);
   }
   return svg;
 }
@@ -191,7 +214,7 @@ std::string to_svg(const Plot& plot, const std::string& id) {
   std::string svg =
       fmt::format(R"(<svg class="plot" role="img" aria-labelledby="{}-title {}-about" viewBox="0 0 {} {}">)"
                   R"(<title id="{}-title">{}</title><desc id="{}-about">{}</desc>)",
-                  id, id, kWidth, kHeight + 6.0 + kLegendLine * static_cast<double>(plot.series.size()), id,
+                  id, id, kWidth, kHeight + 6.0 + kLegendLine * static_cast<double>(legend_lines(plot)), id,
                   escape_markup(plot.title), id, escape_markup(plot.about));
   svg += x_axis(plot, frame) + y_axis(plot, frame);
   for (std::size_t i = 0; i < plot.series.size(); ++i)

@@ -380,6 +380,17 @@ TEST(Plot, LeavesOutWhatIsNotFiniteAndIsEmptyWithoutAPoint) {
   EXPECT_EQ(to_svg(plot, "p"), "");
 }
 
+TEST(Plot, NumbersNamesThatDoNotStandBesideEachOther) {
+  Plot plot;
+  plot.series = {{"one", {{0.0, 0.5}, {1.0, 1.0}}}};
+  plot.x_names = {"near", "far"};
+  EXPECT_THAT(to_svg(plot, "p"), HasSubstr(">near</text>"));
+  EXPECT_THAT(to_svg(plot, "p"), Not(HasSubstr(">2</text>")));
+  plot.x_names = {"near", std::string(60, 'o')};
+  EXPECT_THAT(to_svg(plot, "p"), HasSubstr(">2</text>"));
+  EXPECT_THAT(to_svg(plot, "p"), HasSubstr(">" + std::string(60, 'o') + "</text>"));  // below
+}
+
 TEST(Markup, Base64IsThatOfTheStandard) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", ""},        {"f", "Zg=="},        {"fo", "Zm8="},
