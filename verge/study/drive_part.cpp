@@ -68,7 +68,7 @@ class Driver {
  private:
   [[nodiscard]] std::optional<double> headline_f1(const Tally& scan) const {
     const eval::ToleranceCell* cell = headline_of(suite_, scan);
-    return cell ? cell->counts.f1() : std::nullopt;
+    return cell != nullptr ? cell->counts.f1() : std::nullopt;
   }
 
   void remember_corners(const pipeline::Frame& frame) {

@@ -41,13 +41,13 @@ class Collector {
 
 void add_tolerances(const Suite& suite, const Tally& tally, Collector& add) {
   const eval::ToleranceCell* headline = headline_of(suite, tally);
-  const eval::ToleranceCounts counts = headline ? headline->counts : eval::ToleranceCounts{};
+  const eval::ToleranceCounts counts = headline != nullptr ? headline->counts : eval::ToleranceCounts{};
   add("precision", counts.precision());
   add("recall", counts.recall());
   add("occluded_recall", counts.occluded_recall());
   add("occluded_share", share(counts.occluded, counts.visible + counts.occluded));
   add("f1", counts.f1());
-  add("macro_f1", headline ? headline->macro_f1() : std::nullopt);
+  add("macro_f1", headline != nullptr ? headline->macro_f1() : std::nullopt);
   for (const eval::ToleranceCell& cell : tally.cells) {
     if (cell.range_m == suite.evaluation.range_m)
       add(fmt::format("f1_at_{:g}_m", cell.tolerance_m), cell.counts.f1());

@@ -73,10 +73,11 @@ class Frame {
 
   [[nodiscard]] static std::vector<double> ticks(const Span& span) {
     const double step = round_length(span.length() / 4.0);
+    constexpr double kSlack = 1e-9;  // an end of the span is a tick though it is rounded
+    const long first = std::lround(std::ceil(span.low / step - kSlack));
+    const long last = std::lround(std::floor(span.high / step + kSlack));
     std::vector<double> values;
-    const double slack = 1e-9 * step;
-    for (double k = std::ceil(span.low / step - 1e-9); k * step <= span.high + slack; k += 1.0)
-      values.push_back(k * step);
+    for (long k = first; k <= last; ++k) values.push_back(static_cast<double>(k) * step);
     return values;
   }
 
@@ -186,15 +187,17 @@ std::size_t legend_lines(const Plot& plot) {
 
 std::string legend(const Plot& plot) {
   std::string svg;
-  double y = kHeight + 12.0;
-  for (std::size_t i = 0; i < plot.series.size(); ++i, y += kLegendLine) {
+  const auto y_of = [](std::size_t line) { return kHeight + 12.0 + kLegendLine * static_cast<double>(line); };
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const double y = y_of(i);
     const std::size_t style = i % kStyles;
     if (plot.series[i].joined)
       svg += fmt::format(R"(<path class="s{} d{}" d="M{} {:.1f}h36"/>)", style, style, kLeft, y);
     svg += sign_at(style, kLeft + 18.0, y) + text_at(kLeft + 46.0, y + 4.0, "start", plot.series[i].name);
   }
   if (names_fit(plot)) return svg;
-  for (std::size_t i = 0; i < plot.x_names.size(); ++i, y += kLegendLine) {
+  for (std::size_t i = 0; i < plot.x_names.size(); ++i) {
+    const double y = y_of(plot.series.size() + i);
     svg += text_at(kLeft + 18.0, y + 4.0, "middle", std::to_string(i + 1));
     svg += text_at(kLeft + 46.0, y + 4.0, "start", plot.x_names[i]);
   }

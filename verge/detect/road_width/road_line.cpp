@@ -60,7 +60,8 @@ bool shows_edge(std::span<const PicturePoint> window, const LineSearch& search) 
 /// How many points of the window are still road: where it falls best into a line across (y constant) and a
 /// face along the road (x constant).
 std::size_t road_points(std::span<const PicturePoint> window) {
-  Spread road_y, face_x;
+  Spread road_y;
+  Spread face_x;
   for (const PicturePoint& p : window) face_x.add(p.x - window.front().x);
   std::size_t best = 0;
   double least = face_x.deviation();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -128,9 +129,9 @@ std::optional<Boundary> boundary_of(const std::vector<Road>& roads, Side side, c
   boundary.side = side;
   boundary.kind = BoundaryKind::kCurb;
   boundary.model = Model::kPolyline;
-  for (auto at = roads.rbegin(); at != roads.rend(); ++at) {
-    const RoadEnd& end = side == Side::kLeft ? at->road.left : at->road.right;
-    if (end.kind == LineEnd::kEdge) boundary.points.push_back(frame.to_sensor(at->line.level[end.edge]));
+  for (const Road& road : std::views::reverse(roads)) {
+    const RoadEnd& end = side == Side::kLeft ? road.road.left : road.road.right;
+    if (end.kind == LineEnd::kEdge) boundary.points.push_back(frame.to_sensor(road.line.level[end.edge]));
   }
   if (boundary.points.size() < 2) return std::nullopt;
   boundary.confidence = static_cast<double>(boundary.points.size()) / static_cast<double>(roads.size());
@@ -209,7 +210,7 @@ Scene RoadWidth::process(const Scan& scan, Trace* trace) {
       state.tracks.add(first, state.widening.straight(), state.widening.began_m().value_or(state.way_m),
                        state.way_m, step_m.value_or(0.0), config_.ds_thres_m);
     }
-    if (trace) record(*trace, roads, reach_m, step, lag, frame);
+    if (trace != nullptr) record(*trace, roads, reach_m, step, lag, frame);
   }
   return scene_of(scan, roads, state.tracks.ahead(state.way_m), frame);
 }

@@ -104,6 +104,8 @@ class RoadWidth final : public Detector {
   RoadWidth();
   /// Throws std::invalid_argument where a value is outside its range.
   explicit RoadWidth(const Config& config);
+  RoadWidth(const RoadWidth&) = delete;
+  RoadWidth& operator=(const RoadWidth&) = delete;
   ~RoadWidth() override;
 
   /// Corners from the scan in which they are found until they are reached, each with its id; and as
