@@ -10,6 +10,7 @@
 
 #include "verge/core/angle.hpp"
 #include "verge/core/statistics.hpp"
+#include "verge/eval/share.hpp"
 
 namespace verge::study {
 namespace {
@@ -20,11 +21,9 @@ Value number(std::size_t count) { return static_cast<double>(count); }
 
 Value degrees(Value rad) { return rad ? Value(rad_to_deg(*rad)) : std::nullopt; }
 
-Value share(std::size_t part, std::size_t whole) {
-  return whole == 0 ? Value() : Value(static_cast<double>(part) / static_cast<double>(whole));
+Value success_of(const eval::SuccessCounts& counts) {
+  return eval::share_of(counts.successes(), counts.scans());
 }
-
-Value success_of(const eval::SuccessCounts& counts) { return share(counts.successes(), counts.scans()); }
 
 /// Collects figures; those that cannot be said get no value.
 class Collector {
@@ -45,7 +44,7 @@ void add_tolerances(const Suite& suite, const Tally& tally, Collector& add) {
   add("precision", counts.precision());
   add("recall", counts.recall());
   add("occluded_recall", counts.occluded_recall());
-  add("occluded_share", share(counts.occluded, counts.visible + counts.occluded));
+  add("occluded_share", eval::share_of(counts.occluded, counts.visible + counts.occluded));
   add("f1", counts.f1());
   add("macro_f1", headline != nullptr ? headline->macro_f1() : std::nullopt);
   for (const eval::ToleranceCell& cell : tally.cells) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "verge/core/csv_field.hpp"
 #include "verge/core/version.hpp"
 #include "verge/study/figures.hpp"
 #include "verge/study/table.hpp"
@@ -94,14 +95,6 @@ ordered_json times_json(const Results& results) {
     json.push_back(
         {{"method", results.contestants[i].name}, {"figures", figures_json(times_of(all_of(results, i)))}});
   return json;
-}
-
-/// A field in quotes where RFC 4180 wants them.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 std::string csv_line(const Cell& cell, const std::string& who, const Figures& names, const Figures& figures) {
