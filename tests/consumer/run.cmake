@@ -14,7 +14,7 @@ endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${work}/build -G Ninja -D CMAKE_PREFIX_PATH=${prefix}
     -D CMAKE_BUILD_TYPE=Release)
-run(${CMAKE_COMMAND} --build ${work}/build)
+run(${CMAKE_COMMAND} --build ${work}/build -- -k 0)
 run(${prefix}/bin/verge simulate street --scans 40 -o ${work}/drive)
 
 execute_process(COMMAND ${work}/build/consumer ${work}/drive/LIDAR_TOP
