@@ -276,8 +276,9 @@ Scenario paper1(double radius_m, double speed_kmh) {
   road.kerb_m = 0.15;
   road.sidewalk_m = 1.5;
   road.gaps = {{RoadSide::kRight, 105.0, 1.5, 0.0, 0.3}, {RoadSide::kLeft, 225.0, 2.5, 0.0, 0.3}};
-  road.rows = {row(Thing::kCar, RoadSide::kRight, 160.0, 192.0, 0.1, 2.2)};
-  road.rows[0].width_m = 1.7;
+  road.bays = {{RoadSide::kRight, 158.5, 32.0, 2.0, 1.5}};
+  road.rows = {row(Thing::kCar, RoadSide::kRight, 160.2, 192.0, -0.2, 2.2)};
+  road.rows[0].width_m = 1.7;  // their sides stand 0.1 m behind the kerb's line
   Scenario scenario = on_road(road, 20.0, 0.0, speed_kmh / 3.6);
   const std::vector<std::pair<double, RoadSide>> corners = {{60.0, RoadSide::kRight},
                                                             {130.0, RoadSide::kLeft},

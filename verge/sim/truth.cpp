@@ -69,7 +69,7 @@ ObjectClass class_of(Thing thing) {
 }
 
 // Between parked vehicles, what is narrower looks closed to every scanner, and what is wider is no gap.
-constexpr double kParkedGapMin_m = 1.5;
+constexpr double kParkedGapMin_m = 1.0;
 constexpr double kParkedGapMax_m = 8.0;
 
 Vec2 in_sensor(const Pose& T_sensor_world, Vec3 p) { return (T_sensor_world * p).xy(); }
@@ -291,15 +291,15 @@ void Truth::add_false_corners(const TruthView& view, const Whereabouts& where, S
   constexpr int kFirstGapId = 10'000;
   constexpr int kFirstParkedId = 20'000;
   const Road& road = land_.roads()[where.road];
-  const auto add = [&](int id, RoadSide side, double begin_m, double end_m) {
+  const auto add = [&](int id, RoadSide side, const Parked& before, const Parked& behind) {
     add_corner(view, where,
                {.id = id,
                 .side = side,
-                .begin_m = begin_m,
-                .end_m = end_m,
-                .begin = road.edge_point(side, begin_m).position,
-                .end = road.edge_point(side, end_m).position,
-                .width_m = end_m - begin_m,
+                .begin_m = before.end_m,
+                .end_m = behind.begin_m,
+                .begin = road.line().point(before.end_m, before.lateral_m),
+                .end = road.line().point(behind.begin_m, behind.lateral_m),
+                .width_m = behind.begin_m - before.end_m,
                 .is_road = false},
                scene);
   };
@@ -307,7 +307,10 @@ void Truth::add_false_corners(const TruthView& view, const Whereabouts& where, S
   for (const Gap& gap : road.config().gaps) {
     ++id;
     if (gap.height_m >= kLowestKerb_m || road.edge(gap.side) != Edge::kKerb) continue;
-    add(id, gap.side, gap.at_m - 0.5 * gap.width_m, gap.at_m + 0.5 * gap.width_m);
+    const double begin_m = gap.at_m - 0.5 * gap.width_m;
+    const double end_m = gap.at_m + 0.5 * gap.width_m;
+    const double lateral_m = sign_of(gap.side) * road.edge_offset(gap.side, gap.at_m);
+    add(id, gap.side, {.end_m = begin_m, .lateral_m = lateral_m}, {.begin_m = end_m, .lateral_m = lateral_m});
   }
   for (const RoadSide side : {RoadSide::kLeft, RoadSide::kRight}) {
     const std::vector<Parked> parked = parked_along(where.road, side);
@@ -315,7 +318,7 @@ void Truth::add_false_corners(const TruthView& view, const Whereabouts& where, S
       const double width_m = parked[i].begin_m - parked[i - 1].end_m;
       if (width_m < kParkedGapMin_m || width_m > kParkedGapMax_m) continue;
       if (in_mouth(land_.outline(), where.road, side, parked[i - 1].end_m, parked[i].begin_m)) continue;
-      add(kFirstParkedId + static_cast<int>(parked[i - 1].id), side, parked[i - 1].end_m, parked[i].begin_m);
+      add(kFirstParkedId + static_cast<int>(parked[i - 1].id), side, parked[i - 1], parked[i]);
     }
   }
 }
@@ -333,7 +336,8 @@ std::vector<Truth::Parked> Truth::parked_along(std::size_t road, RoadSide side) 
     const double from_edge = outward - land_.roads()[road].edge_offset(side, thing.item.at_m);
     if (std::abs(from_edge) > kBesideEdge_m) continue;
     const double half = 0.5 * thing.size.x;
-    parked.push_back({thing.id, thing.item.at_m - half, thing.item.at_m + half});
+    const double inward_m = thing.item.lateral_m - sign_of(side) * 0.5 * thing.size.y;
+    parked.push_back({thing.id, thing.item.at_m - half, thing.item.at_m + half, inward_m});
   }
   std::sort(parked.begin(), parked.end(),
             [](const Parked& a, const Parked& b) { return a.begin_m < b.begin_m; });

@@ -50,7 +50,7 @@ class Truth {
   /// branches and gaps of the kerb of which an end lies within the radius. Corners and junctions: where
   /// branches that are no driveways leave the vehicle's road, up to the radius ahead, until they are passed;
   /// and the end of the vehicle's road. Corners of confidence 0 look like one and are none: driveways, gaps
-  /// of the kerb, and gaps of 1.5 to 8 m between parked vehicles. `exit_m` is the far end of the mouth.
+  /// of the kerb, and gaps of 1 to 8 m between parked vehicles. `exit_m` is the far end of the mouth.
   /// Objects: all things within the radius; a crown of a tree counts, a wall, guard rail or hedge does not.
   /// The road's width every 5 m ahead.
   [[nodiscard]] Scene scene(const TruthView& view) const;
@@ -98,6 +98,7 @@ class Truth {
     std::uint32_t id = 0;
     double begin_m = 0.0;  // stations on the road
     double end_m = 0.0;
+    double lateral_m = 0.0;  // of the side that shows towards the road's middle
   };
 
   void add_corner(const TruthView& view, const Whereabouts& where, const Opened& opened, Scene& scene) const;

@@ -39,6 +39,7 @@ void mirror(sim::Scenario& scenario) {
   for (sim::RoadConfig& road : scenario.roads) {
     road.side = sim::opposite(road.side);
     for (sim::Gap& gap : road.gaps) gap.side = sim::opposite(gap.side);
+    for (sim::Bay& bay : road.bays) bay.side = sim::opposite(bay.side);
     for (sim::Row& row : road.rows) row.side = sim::opposite(row.side);
   }
 }

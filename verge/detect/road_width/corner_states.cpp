@@ -11,40 +11,49 @@ constexpr std::size_t kLongestLag = 64;  // scans; the history keeps no more
 
 }  // namespace
 
-bool CornerStates::second_comparison(double first_m, std::size_t lag) const {
-  const std::size_t back = std::min(lag, first_m_.size());
-  return back > 0 && first_m - first_m_[first_m_.size() - back] > thresholds_.ds_m;
+/// L_far(t - h), and of the first scan L_far(t).
+double CornerStates::before_m(std::size_t lag) const {
+  return first_m_[first_m_.size() - 1 - std::min(lag, first_m_.size() - 1)];
 }
 
-bool CornerStates::is_refractory(double first_m) {
-  refractory_ = refractory_ && first_m >= straight_m_ + thresholds_.ds_m;
-  return refractory_;
+void CornerStates::look_for_corner(const LineLengths& lengths, std::size_t lag, CornerStep& done) {
+  if (!candidate_) candidate_ = lengths.first_m - lengths.last_m > thresholds_.dd_m;  // Step 6
+  if (!candidate_) return;
+  if (lengths.first_m - before_m(lag) > thresholds_.ds_m) {  // Step 4
+    ++k_;
+    missed_ = 0;
+  } else if (++missed_ > thresholds_.misses) {
+    k_ = 0;
+    missed_ = 0;
+    candidate_ = false;
+  }
+  done = {.candidate = candidate_, .k = k_, .found = k_ > thresholds_.k};  // Step 5
+  if (!done.found) return;
+  straight_m_ = before_m(lag);  // Step 7
+  found_way_m_ = lengths.way_m;
+  in_corner_ = true;
+  exit_seen_ = false;
+  candidate_ = false;
+  k_ = 0;
+  missed_ = 0;
+}
+
+void CornerStates::look_for_exit(const LineLengths& lengths, std::size_t lag, CornerStep& done) {
+  done.left = !exit_seen_ && lengths.first_m < before_m(lag) - thresholds_.ds_m;
+  exit_seen_ = exit_seen_ || done.left;
+  const bool is_straight = lengths.first_m < straight_m_ + thresholds_.ds_m;
+  const bool has_rested = lengths.way_m == 0.0 || lengths.way_m - found_way_m_ >= thresholds_.rest_m;
+  if (!is_straight || !has_rested) return;
+  in_corner_ = false;
+  done.left = done.left || !exit_seen_;
 }
 
 CornerStep CornerStates::step(const LineLengths& lengths, std::size_t lag) {
   lag = std::clamp<std::size_t>(lag, 1, kLongestLag);
-  CornerStep done;
-  if (!is_refractory(lengths.first_m)) {
-    if (!candidate_) candidate_ = lengths.first_m - lengths.last_m > thresholds_.dd_m;  // Step 6
-    if (candidate_) {
-      if (second_comparison(lengths.first_m, lag)) {  // Step 4
-        ++k_;
-        missed_ = 0;
-      } else if (++missed_ > thresholds_.misses) {
-        k_ = 0;
-        candidate_ = false;
-      }
-    }
-    done = {.candidate = candidate_, .k = k_, .found = k_ > thresholds_.k};  // Step 5
-  }
-  if (done.found) {  // Step 7
-    refractory_ = true;
-    straight_m_ = first_m_[first_m_.size() - std::min(lag, first_m_.size())];
-    candidate_ = false;
-    k_ = 0;
-  }
-  if (!candidate_) missed_ = 0;
   first_m_.push_back(lengths.first_m);  // Step 2: t grows by 1
+  CornerStep done;
+  if (in_corner_) look_for_exit(lengths, lag, done);
+  if (!in_corner_) look_for_corner(lengths, lag, done);
   if (first_m_.size() > kLongestLag) first_m_.erase(first_m_.begin());
   return done;
 }

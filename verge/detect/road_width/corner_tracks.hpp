@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -11,49 +9,31 @@
 
 namespace verge::detect::road_width {
 
-/// What a scan says of the first line.
-struct FirstLine {
-  double length_m = 0.0;
-  double left_m = 0.0;   ///< From the vehicle's axis to its left end, cut at the reach.
-  double right_m = 0.0;  ///< Likewise.
-  double ahead_m = 0.0;  ///< y_f: where it meets the road.
+/// A corner at its place on the way.
+struct FoundCorner {
+  CornerSide side = CornerSide::kLeft;
+  double at_m = 0.0;       ///< Of the entrance along the way.
+  double lateral_m = 0.0;  ///< Of the kerb there, left of the vehicle's axis.
+  double sigma_m = 0.0;    ///< Of the entrance's place.
+  double radius_m = 0.0;   ///< Of the kerb's return; 0 where it is not known.
+  double confidence = 1.0;
 };
 
-/// The first line from scan to scan, over the way: when it began to widen, and what the straight road is.
-class Widening {
- public:
-  explicit Widening(double widened_m) : widened_m_(widened_m) {}
-
-  /// The next scan, `way_m` beyond the first one.
-  void see(const FirstLine& line, double way_m);
-
-  /// n_0: the way at the first scan of the run of scans that are widened; none where the last one is not.
-  [[nodiscard]] std::optional<double> began_m() const { return began_m_; }
-  /// The straight road's medians; those of the first scan before there are others.
-  [[nodiscard]] const FirstLine& straight() const { return straight_; }
-
- private:
-  double widened_m_;
-  std::deque<FirstLine> history_;  // of scans that are not widened, oldest first
-  FirstLine straight_;
-  std::size_t widened_scans_ = 0;
-  std::optional<double> began_m_;
-};
-
-/// Corners that were found, until they are reached (A0.4: from the triangle relations).
+/// Corners that were found, until they are passed (A0.4: from the triangle relations).
 class CornerTracks {
  public:
-  /// A corner is found at the way `way_m`, `step_m` behind the last scan: the first line began to widen at
-  /// the way `began_m`. Where both sides widened, there is one on each.
-  void add(const FirstLine& line, const FirstLine& straight, double began_m, double way_m, double step_m,
-           double ds_thres_m);
-  /// Those still ahead at `way_m`, in the level frame.
-  [[nodiscard]] std::vector<Corner> ahead(double way_m);
+  void add(const FoundCorner& corner);
+  /// The exit of the last corner of that side that has none yet: the road's edge is there again.
+  void leave(CornerSide side, double exit_m);
+  /// Those at `way_m` whose exit is not passed, or, while it is not known, that began less than 30 m ago; in
+  /// the level frame. Of those entered, the distance is negative.
+  [[nodiscard]] std::vector<Corner> at(double way_m);
 
  private:
   struct Track {
     Corner corner;
-    double at_m = 0.0;  // of the entrance along the way
+    FoundCorner found;
+    std::optional<double> exit_m{};  // along the way
   };
 
   std::vector<Track> tracks_;

@@ -9,13 +9,29 @@
 
 #include "verge/core/fields.hpp"
 #include "verge/detect/detector.hpp"
-#include "verge/detect/reading.hpp"
+
+namespace verge::detect {
+
+/// How corners are found on the four lines.
+enum class CornerReading : std::uint8_t {
+  kCombined,  ///< All lines together show where the kerb runs along the way; ours.
+  kFixed,     ///< The paper's states, its misprints put right and gaps filled; docs/methods.md lists each.
+  kPaper,     ///< As printed.
+};
+
+}  // namespace verge::detect
+
+namespace verge {
+template <>
+inline constexpr std::array enum_names<detect::CornerReading> =
+    std::to_array<std::string_view>({"combined", "fixed", "paper"});
+}  // namespace verge
 
 namespace verge::detect {
 
 /// Settings of RoadWidth. "P1" is the paper below.
 struct RoadWidthConfig {
-  Reading reading = Reading::kFixed;
+  CornerReading reading = CornerReading::kCombined;
 
   // Fig. 1, 2: four lines
   double nearest_rad = 1.308996938995747;  // 75 degrees
@@ -38,11 +54,22 @@ struct RoadWidthConfig {
   std::int64_t lag = 8;
   double lag_m = 1.5;
   std::int64_t misses = 1;
+  std::int64_t pairs = 0;
   double widened_m = 0.2;
+
+  // Corners of all lines together
+  double straight_m = 8.0;
+  double beyond_m = 0.1;
+  double opening_m = 2.9;
+  double bay_m = 2.6;
+  double wide_return_m = 2.0;
+  double turned_m = 0.25;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.reading, {"reading", "", 0, 0, "fixed, or paper: the printed text to the letter", "P1"});
+    visit(self.reading,
+          {"reading", "", 0, 0,
+           "combined: all lines together; fixed: the paper's states; paper: these as printed", "P1, ours"});
     visit(self.nearest_rad,
           {"nearest_rad", "rad", 0.1, 1.55,
            "angle from the vertical of the nearest of four lines, where a denser sensor's rings "
@@ -62,10 +89,10 @@ struct RoadWidthConfig {
     visit(self.x_thres_m2,
           {"x_thres_m2", "m^2", 1e-6, 1.0, "X_thres: an edge's msdv_dx is less", "P1 Step 3; value ours"});
     visit(self.bridge,
-          {"bridge", "1", 0, 100, "so many points in a row may differ from the road (reading = fixed)",
+          {"bridge", "1", 0, 100, "so many points in a row may differ from the road (not as printed)",
            "P1 trait (2); value ours"});
     visit(self.obstacle_m,
-          {"obstacle_m", "m", 0.05, 10.0, "a higher face is a wall or a vehicle (reading = fixed)",
+          {"obstacle_m", "m", 0.05, 10.0, "a higher face is a wall or a vehicle (not as printed)",
            "P1 trait (1); value ours"});
     visit(self.reach_m, {"reach_m", "m", 1.0, 100.0,
                          "road lines end so far to the left and to the right at the most", "ours"});
@@ -83,20 +110,41 @@ struct RoadWidthConfig {
                        "h as a way: the lag is as many scans as it takes (reading = fixed)", "ours"});
     visit(self.misses, {"misses", "1", 0, 10,
                         "scans in a row that may fail the second comparison (reading = fixed)", "ours"});
+    visit(self.pairs, {"pairs", "1", 0, 4,
+                       "so many of the pairs of lines 1-4, 1-3, 1-2, 2-4 must be in a corner; 0: 1-4 alone "
+                       "(reading = fixed)",
+                       "P1 abstract"});
     visit(self.widened_m, {"widened_m", "m", 0.01, 5.0,
                            "a line so much longer than the straight road's has begun to widen", "ours"});
+    visit(self.straight_m, {"straight_m", "m", 4.0, 25.0,
+                            "the kerb that has been passed so far back says how it goes on (reading = "
+                            "combined, as all below)",
+                            "ours"});
+    visit(self.beyond_m,
+          {"beyond_m", "m", 0.02, 1.0,
+           "an edge so far beyond the straight kerb, and beyond 3 sigma, is not of it", "ours"});
+    visit(self.opening_m,
+          {"opening_m", "m", 0.5, 20.0,
+           "a longer opening is a side road: driveways and gaps are up to 2.5 m wide", "P1; ours"});
+    visit(self.bay_m,
+          {"bay_m", "m", 0.1, 10.0, "if it is deeper than this: parking bays are 2 to 2.5 m deep", "ours"});
+    visit(self.wide_return_m,
+          {"wide_return_m", "m", 0.5, 10.0,
+           "a kerb that turns away with such a radius or more leads into a side road", "ours"});
+    visit(self.turned_m, {"turned_m", "m", 0.05, 5.0, "once it is so far beyond the straight kerb", "ours"});
   }
 };
 
 /// Road corners from a four-layer scanner, after Liu, Feng, Li, Zhang, "Corner Detection for Intelligent
 /// Vehicles Based on a Four-Layer Radar" (P1): the road line of each layer by the spread of its points, the
 /// road's width from scan to scan, and states that tell a corner by the farthest line's widening before the
-/// nearest one's.
+/// nearest one's. The default reading goes on from the lines in its own way: it puts the ends of all four
+/// along the way, where the kerb they show either turns away or does not.
 ///
-/// It needs a road that runs along the sensor's x axis (hypothesis 1), and the way between two scans
-/// (Scan::T_world_sensor) for the distance to a corner; without, the lag is `lag` scans and a corner lies
-/// where the first line does. Of a denser sensor, the rings that meet the road nearest to where the four
-/// lines would are taken.
+/// It needs a road that runs along the level frame's x axis (hypothesis 1), and poses (Scan::T_world_sensor):
+/// without them `combined` does as `fixed`, whose lag is then `lag` scans and whose corners lie where the
+/// first line does. Of a denser sensor, the rings that meet the road nearest to where the four lines would
+/// are taken.
 class RoadWidth final : public Detector {
  public:
   using Config = RoadWidthConfig;
@@ -108,11 +156,10 @@ class RoadWidth final : public Detector {
   RoadWidth& operator=(const RoadWidth&) = delete;
   ~RoadWidth() override;
 
-  /// Corners from the scan in which they are found until they are reached, each with its id; and as
+  /// Corners from the scan in which they are found until their exit is passed, each with its id; and as
   /// boundaries the edges of the four lines, one polyline a side, where two lines or more have one. Uses
-  /// scan.mount but its forward axis, or estimates it. Trace layers: points "line 1" (the first, farthest) to
-  /// "line 4" (the last); "edges" (group = line); values "L" (road lengths by line), "K", "CCS" (0 or 1) and
-  /// "h".
+  /// scan.mount, or estimates it. Trace layers: points "line 1" (the first, farthest) to "line 4" (the last);
+  /// "edges" (group = line); values "L" (road lengths by line); and of the states "K", "CCS" (0 or 1), "h".
   [[nodiscard]] Scene process(const Scan& scan, Trace* trace = nullptr) override;
   [[nodiscard]] Order order() const override { return Order::kSequential; }
 

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/detect/road_width/kerb_corners.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "verge/detect/road_width/kerb_return.hpp"
+
+namespace verge::detect::road_width {
+namespace {
+
+constexpr double kLongest_m = 30.0;  // of an opening
+
+Vec2 heading_of(const Whereabouts& here) { return rotate(here.T_world_level.rotation, {1.0, 0.0, 0.0}).xy(); }
+
+Vec2 in_world(const Whereabouts& here, Vec3 level) { return (here.T_world_level * level).xy(); }
+
+/// Index of the outermost point of the line that is not beyond `reach_m` to that side.
+std::size_t outermost(const LayerLine& line, std::size_t edge, double reach_m, bool left) {
+  std::size_t i = edge;
+  while (i != line.middle && std::fabs(line.points[i].x) > reach_m) left ? ++i : --i;
+  return i;
+}
+
+/// How far ahead the line is where it comes to `lateral_m` on that side; at its end where it does not.
+double ahead_m(const LayerLine& line, std::size_t edge, double lateral_m, bool left) {
+  std::size_t i = line.middle;
+  while (i != edge && std::fabs(line.points[i].x) < lateral_m) left ? --i : ++i;
+  return line.points[i].y;
+}
+
+/// One end of a line.
+struct End {
+  std::size_t index = 0;
+  bool open = false;
+};
+
+End end_of(const Road& road, double reach_m, bool left) {
+  const RoadEnd& end = left ? road.road.left : road.road.right;
+  const std::size_t index = outermost(road.line, end.edge, reach_m, left);
+  return {index, end.kind == LineEnd::kOpen || index != end.edge};
+}
+
+}  // namespace
+
+double KerbCorners::widened_m(const StraightKerb& kerb) const {
+  constexpr double kSigmas = 3.0;
+  return std::max(config_.beyond_m, kSigmas * kerb.sigma_m);
+}
+
+void KerbCorners::add_sights(const std::vector<Road>& roads, const Whereabouts& here) {
+  const double reach = reach_m(roads, config_);
+  const Vec2 place = here.T_world_level.translation.xy();
+  for (const Road& road : roads) {
+    if (!road.road.middle_is_road) continue;
+    const std::array<End, 2> ends = {end_of(road, reach, true), end_of(road, reach, false)};
+    for (std::size_t side = 0; side < 2; ++side) {
+      Watch& watch = watches_.at(side);
+      const End& end = ends.at(side);
+      const End& opposite = ends.at(1 - side);
+      const double kerb_m = watch.kerb ? -watch.kerb->outward_m(place) : reach;
+      watch.profile.see({.along_m = here.way_m + ahead_m(road.line, end.index, kerb_m, side == 0),
+                         .end = in_world(here, road.line.level[end.index]),
+                         .opposite = in_world(here, road.line.level[opposite.index]),
+                         .open = end.open,
+                         .opposite_open = opposite.open});
+    }
+  }
+}
+
+void KerbCorners::fit_kerb(Watch& watch, bool left, const Whereabouts& here, double to_m) const {
+  const double from_m = std::max(here.way_m - config_.straight_m, watch.clear_from_m);
+  if (auto kerb = watch.profile.straight(from_m, to_m, heading_of(here), left)) watch.kerb = kerb;
+}
+
+std::optional<FoundCorner> KerbCorners::corner_of(const Opening& opening,
+                                                  const std::vector<KerbPoint>& points,
+                                                  const StraightKerb& kerb, const Whereabouts& here) const {
+  constexpr double kLeastSigma_m = 0.03;  // of a point; kerbs are not exactly straight or round
+  constexpr double kBefore_m = 2.5;
+  constexpr double kSure = 0.95;
+  constexpr double kSharp_m = 0.2;  // sigma with which one need not wait
+  const auto first = std::find_if(points.begin(), points.end(), [&](const KerbPoint& p) {
+    return p.along_m >= opening.first_m - kBefore_m;
+  });
+  const auto turn = fit_kerb_return({first, points.end()}, opening.first_m,
+                                    std::max(kerb.sigma_m, kLeastSigma_m), config_.wide_return_m);
+  if (!turn) return std::nullopt;
+  const bool is_long =
+      opening.last_m - opening.first_m >= config_.opening_m && opening.deepest_m >= config_.bay_m;
+  const bool is_wide = turn->wide >= kSure && opening.deepest_m >= config_.turned_m;
+  if (!is_long && !is_wide) return std::nullopt;
+  const double ahead_m = turn->begin_m - here.way_m;
+  if (ahead_m < 0.0) return std::nullopt;
+  const bool is_last_chance = ahead_m < 1.5 * here.step_m + 0.5;
+  if (turn->sigma_m > kSharp_m && !is_last_chance) return std::nullopt;
+  return FoundCorner{.at_m = turn->begin_m, .sigma_m = turn->sigma_m, .radius_m = turn->radius_m};
+}
+
+void KerbCorners::look_for_corner(Watch& watch, const Watch& other, bool left, const Whereabouts& here,
+                                  CornerTracks& tracks) const {
+  constexpr double kBehind_m = 1.5;
+  fit_kerb(watch, left, here, std::max(here.way_m, watch.clear_from_m + config_.straight_m / 2.0));
+  if (!watch.kerb) return;
+  const auto look = [&] {
+    return watch.profile.against(*watch.kerb, other.kerb ? &*other.kerb : nullptr,
+                                 std::max(here.way_m - kBehind_m, watch.clear_from_m));
+  };
+  auto points = look();
+  auto opening = last_opening(points, widened_m(*watch.kerb));
+  const double newest_m = points.empty() ? here.way_m : points.back().along_m;
+  fit_kerb(watch, left, here, opening ? opening->inside_m : newest_m);
+  points = look();
+  opening = last_opening(points, widened_m(*watch.kerb));
+  if (!opening) return;
+  auto corner = corner_of(*opening, points, *watch.kerb, here);
+  if (!corner) return;
+  const Vec2 ahead = here.T_world_level.translation.xy() + (corner->at_m - here.way_m) * heading_of(here);
+  corner->side = left ? CornerSide::kLeft : CornerSide::kRight;
+  corner->lateral_m = (left ? -1.0 : 1.0) * watch.kerb->outward_m(ahead);
+  tracks.add(*corner);
+  watch.in_corner_m = corner->at_m;
+}
+
+void KerbCorners::look_for_exit(Watch& watch, const Watch& other, bool left, const Whereabouts& here,
+                                CornerTracks& tracks) const {
+  const double from_m = *watch.in_corner_m;
+  const auto points = watch.profile.against(*watch.kerb, other.kerb ? &*other.kerb : nullptr, from_m);
+  const auto exit_m = end_of_opening(points, from_m + config_.opening_m / 2.0, widened_m(*watch.kerb));
+  if (exit_m) tracks.leave(left ? CornerSide::kLeft : CornerSide::kRight, *exit_m);
+  if (!exit_m && here.way_m - from_m < kLongest_m) return;
+  watch.in_corner_m.reset();
+  watch.clear_from_m = exit_m.value_or(here.way_m);
+}
+
+void KerbCorners::see(const std::vector<Road>& roads, const Whereabouts& here, CornerTracks& tracks) {
+  add_sights(roads, here);
+  for (std::size_t side = 0; side < 2; ++side) {
+    Watch& watch = watches_.at(side);
+    const Watch& other = watches_.at(1 - side);
+    const bool left = side == 0;
+    watch.profile.forget_before(here.way_m - kLongest_m);
+    if (watch.in_corner_m) {
+      look_for_exit(watch, other, left, here, tracks);
+    } else {
+      look_for_corner(watch, other, left, here, tracks);
+    }
+  }
+}
+
+}  // namespace verge::detect::road_width

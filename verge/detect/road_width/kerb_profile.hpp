@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "verge/core/vec.hpp"
+#include "verge/fit/line.hpp"
+
+namespace verge::detect::road_width {
+
+/// Where a line ended on one side of the road. `along_m` is where it crossed the kerb's line: the way at the
+/// scan, and how far ahead.
+struct KerbSight {
+  double along_m = 0.0;
+  Vec2 end{};                  ///< In the world.
+  Vec2 opposite{};             ///< The line's other end.
+  bool open = false;           ///< No edge ended it.
+  bool opposite_open = false;  ///< Likewise the other end.
+};
+
+/// The straight kerb of one side.
+struct StraightKerb {
+  fit::Line line{};      ///< In the world.
+  double outward = 1.0;  ///< Sign of fit::signed_distance away from the road.
+  double sigma_m = 0.0;  ///< Of one sight across the line.
+
+  [[nodiscard]] double outward_m(Vec2 p) const { return outward * fit::signed_distance(line, p); }
+};
+
+/// A sight against the straight kerb.
+struct KerbPoint {
+  double along_m = 0.0;
+  double outward_m = 0.0;  ///< Away from the road, metres.
+  bool open = false;
+};
+
+/// The ends of all four lines on one side over the way: where the kerb runs, whichever line saw it and when.
+class KerbProfile {
+ public:
+  /// In any order; kept in that of `along_m`.
+  void see(const KerbSight& sight);
+  void forget_before(double along_m);
+  void clear() { sights_.clear(); }
+
+  /// The line through the sights that ended at something between two places, but for those apart from most of
+  /// them. `heading` is the road's direction, `left` the side. None where there are fewer than eight, or they
+  /// take up less than 3 m.
+  [[nodiscard]] std::optional<StraightKerb> straight(double from_m, double to_m, Vec2 heading,
+                                                     bool left) const;
+  /// All sights from a place on against a straight kerb; `other`, the other side's one where it is known,
+  /// tells a bend of the road, in which one side moves in as the other moves out.
+  [[nodiscard]] std::vector<KerbPoint> against(const StraightKerb& kerb, const StraightKerb* other,
+                                               double from_m) const;
+
+ private:
+  std::vector<KerbSight> sights_;
+};
+
+}  // namespace verge::detect::road_width

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/detect/road_width/kerb_return.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace verge::detect::road_width {
+namespace {
+
+constexpr double kDeepest_m = 1.5;
+constexpr std::array kRadii_m = {0.25, 0.35, 0.5, 0.71, 1.0, 1.4, 2.0, 2.8, 4.0, 5.7, 8.0, 11.3, 16.0};
+constexpr double kBefore_m = 3.2;  // a circle of 16 m has moved out 0.3 m by then
+constexpr double kBehind_m = 0.1;
+constexpr double kStep_m = 0.1;
+
+/// Points of one stretch of the way as one: slow vehicles see the same place many times.
+struct Stretch {
+  double along_m = 0.0;
+  double outward_m = 0.0;
+  double count = 0.0;
+};
+
+std::vector<Stretch> stretches(std::span<const KerbPoint> points) {
+  constexpr double kLength_m = 0.15;
+  std::vector<Stretch> all;
+  double begin_m = 0.0;
+  for (const KerbPoint& p : points) {
+    if (all.empty() || p.along_m >= begin_m + kLength_m) {
+      begin_m = p.along_m;
+      all.emplace_back();
+    }
+    Stretch& last = all.back();
+    last.along_m += p.along_m;
+    last.outward_m += std::min(p.outward_m, kDeepest_m);
+    last.count += 1.0;
+  }
+  for (Stretch& s : all) {
+    s.along_m /= s.count;
+    s.outward_m /= s.count;
+  }
+  return all;
+}
+
+/// How far a circle has left the kerb that far behind its begin.
+double left_m(double behind_m, double radius_m) {
+  if (behind_m <= 0.0) return 0.0;
+  if (behind_m >= radius_m) return kDeepest_m;
+  return std::min(kDeepest_m, radius_m - std::sqrt(radius_m * radius_m - behind_m * behind_m));
+}
+
+/// Minus twice the logarithm of how likely the stretches are. A point cannot say more than three sigma: some
+/// lines lose the kerb before it has turned away.
+double misfit(std::span<const Stretch> all, double begin_m, double radius_m, double sigma_m) {
+  constexpr double kMost = 9.0;
+  double sum = 0.0;
+  for (const Stretch& s : all) {
+    const double off = (s.outward_m - left_m(s.along_m - begin_m, radius_m)) / sigma_m;
+    sum += std::min(s.count * off * off, kMost);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::optional<KerbReturn> fit_kerb_return(std::span<const KerbPoint> points, double first_m, double sigma_m,
+                                          double least_radius_m) {
+  if (points.empty()) return std::nullopt;
+  const std::vector<Stretch> all = stretches(points);
+  constexpr auto kBegins = static_cast<std::size_t>((kBefore_m + kBehind_m) / kStep_m) + 1;
+  std::vector<double> misfits;
+  for (const double radius_m : kRadii_m) {
+    for (std::size_t i = 0; i < kBegins; ++i)
+      misfits.push_back(
+          misfit(all, first_m - kBefore_m + kStep_m * static_cast<double>(i), radius_m, sigma_m));
+  }
+  const double least = *std::min_element(misfits.begin(), misfits.end());
+  double sum = 0.0, begin = 0.0, squares = 0.0, wide = 0.0, log_radius = 0.0;
+  for (std::size_t k = 0; k < misfits.size(); ++k) {
+    const double weight = std::exp(-0.5 * (misfits[k] - least));
+    const double before_m = -kBefore_m + kStep_m * static_cast<double>(k % kBegins);
+    const double radius_m = kRadii_m.at(k / kBegins);
+    sum += weight;
+    begin += weight * before_m;
+    squares += weight * before_m * before_m;
+    log_radius += weight * std::log(radius_m);
+    if (radius_m >= least_radius_m) wide += weight;
+  }
+  begin /= sum;
+  return KerbReturn{
+      .begin_m = first_m + begin,
+      .sigma_m = std::sqrt(std::max(0.0, squares / sum - begin * begin) + kStep_m * kStep_m / 12.0),
+      .radius_m = std::exp(log_radius / sum),
+      .wide = wide / sum};
+}
+
+}  // namespace verge::detect::road_width

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include "verge/detect/road_width/road_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace verge::detect::road_width {
+namespace {
+
+/// K: what fits the window's width.
+std::size_t neighbours_of(const LayerLine& line, const RoadWidthConfig& config) {
+  if (config.neighbours > 0) return static_cast<std::size_t>(config.neighbours);
+  if (!(line.step_rad > 0.0)) return 1;
+  return static_cast<std::size_t>(std::max(1.0, std::round(config.neighbours_rad / line.step_rad)));
+}
+
+LineSearch search_of(const LayerLine& line, const RoadWidthConfig& config) {
+  LineSearch search{.neighbours = neighbours_of(line, config),
+                    .y_thres_m2 = config.y_thres_m2,
+                    .x_thres_m2 = config.x_thres_m2,
+                    .tangent = line.tangent};
+  const bool printed = config.reading == CornerReading::kPaper;
+  search.refine = !printed;
+  search.bridge = printed ? 0 : static_cast<std::size_t>(config.bridge);
+  search.obstacle_m = printed ? std::numeric_limits<double>::infinity() : config.obstacle_m;
+  return search;
+}
+
+}  // namespace
+
+std::vector<Road> road_lines(std::vector<LayerLine> lines, const RoadWidthConfig& config) {
+  std::vector<Road> roads;
+  for (LayerLine& line : lines) {
+    const auto road = find_road_line(line.points, line.middle, search_of(line, config));
+    if (road) roads.push_back({std::move(line), *road});
+  }
+  return roads;
+}
+
+double reach_m(const std::vector<Road>& roads, const RoadWidthConfig& config) {
+  const LayerLine& last = roads.back().line;
+  return std::min(config.reach_m, last.points[last.middle].y * std::tan(config.side_rad));
+}
+
+double length_m(const Road& road, double reach_m) {
+  return road_length_m(road.line.points, road.road, reach_m);
+}
+
+}  // namespace verge::detect::road_width
