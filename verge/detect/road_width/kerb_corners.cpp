@@ -37,9 +37,27 @@ struct End {
   bool open = false;
 };
 
-End end_of(const Road& road, double reach_m, bool left) {
+/// The innermost point of what stands on the road within a line's end: lines run under cars, and over their
+/// fronts. None where nothing does.
+std::optional<std::size_t> standing(const LayerLine& line, double end_m, double height_m, bool left) {
+  constexpr std::size_t kLeast = 3;
+  const double road_m = line.level[line.middle].z;
+  std::optional<std::size_t> innermost;
+  std::size_t count = 0;
+  for (std::size_t i = left ? 0 : line.middle; i < (left ? line.middle : line.points.size()); ++i) {
+    const double lateral_m = std::fabs(line.points[i].x);
+    if (lateral_m >= end_m || line.level[i].z - road_m < height_m) continue;
+    ++count;
+    if (!innermost || lateral_m < std::fabs(line.points[*innermost].x)) innermost = i;
+  }
+  return count >= kLeast ? innermost : std::nullopt;
+}
+
+End end_of(const Road& road, double reach_m, double height_m, bool left) {
   const RoadEnd& end = left ? road.road.left : road.road.right;
   const std::size_t index = outermost(road.line, end.edge, reach_m, left);
+  const double end_m = std::fabs(road.line.points[index].x);
+  if (const auto inner = standing(road.line, end_m, height_m, left)) return {*inner, false};
   return {index, end.kind == LineEnd::kOpen || index != end.edge};
 }
 
@@ -55,7 +73,8 @@ void KerbCorners::add_sights(const std::vector<Road>& roads, const Whereabouts& 
   const Vec2 place = here.T_world_level.translation.xy();
   for (const Road& road : roads) {
     if (!road.road.middle_is_road) continue;
-    const std::array<End, 2> ends = {end_of(road, reach, true), end_of(road, reach, false)};
+    const std::array<End, 2> ends = {end_of(road, reach, config_.standing_m, true),
+                                     end_of(road, reach, config_.standing_m, false)};
     for (std::size_t side = 0; side < 2; ++side) {
       Watch& watch = watches_.at(side);
       const End& end = ends.at(side);
@@ -80,17 +99,21 @@ std::optional<FoundCorner> KerbCorners::corner_of(const Opening& opening,
                                                   const StraightKerb& kerb, const Whereabouts& here) const {
   constexpr double kLeastSigma_m = 0.03;  // of a point; kerbs are not exactly straight or round
   constexpr double kBefore_m = 2.5;
+  constexpr double kTurning_m = 1.0;
   constexpr double kSure = 0.95;
+  constexpr double kRound = 0.7;
   constexpr double kSharp_m = 0.2;  // sigma with which one need not wait
   const auto first = std::find_if(points.begin(), points.end(), [&](const KerbPoint& p) {
     return p.along_m >= opening.first_m - kBefore_m;
   });
-  const auto turn = fit_kerb_return({first, points.end()}, opening.first_m,
-                                    std::max(kerb.sigma_m, kLeastSigma_m), config_.wide_return_m);
+  const auto turn =
+      fit_kerb_return({first, points.end()}, opening.first_m, std::max(kerb.sigma_m, kLeastSigma_m),
+                      {config_.wide_return_m, config_.widest_return_m});
   if (!turn) return std::nullopt;
-  const bool is_long =
-      opening.last_m - opening.first_m >= config_.opening_m && opening.deepest_m >= config_.bay_m;
-  const bool is_wide = turn->wide >= kSure && opening.deepest_m >= config_.turned_m;
+  const double length = opening.last_m - opening.first_m;
+  const bool is_long = length >= config_.opening_m && opening.depth_m >= config_.bay_m;
+  const bool is_wide = length >= kTurning_m && turn->wide >= kSure && turn->share >= kRound &&
+                       opening.depth_m >= config_.turned_m;
   if (!is_long && !is_wide) return std::nullopt;
   const double ahead_m = turn->begin_m - here.way_m;
   if (ahead_m < 0.0) return std::nullopt;
@@ -102,6 +125,7 @@ std::optional<FoundCorner> KerbCorners::corner_of(const Opening& opening,
 void KerbCorners::look_for_corner(Watch& watch, const Watch& other, bool left, const Whereabouts& here,
                                   CornerTracks& tracks) const {
   constexpr double kBehind_m = 1.5;
+  constexpr double kTurning_m = 2.0;  // before it is seen beyond the kerb, it may have been turning so long
   fit_kerb(watch, left, here, std::max(here.way_m, watch.clear_from_m + config_.straight_m / 2.0));
   if (!watch.kerb) return;
   const auto look = [&] {
@@ -111,7 +135,7 @@ void KerbCorners::look_for_corner(Watch& watch, const Watch& other, bool left, c
   auto points = look();
   auto opening = last_opening(points, widened_m(*watch.kerb));
   const double newest_m = points.empty() ? here.way_m : points.back().along_m;
-  fit_kerb(watch, left, here, opening ? opening->inside_m : newest_m);
+  fit_kerb(watch, left, here, opening ? opening->first_m - kTurning_m : newest_m);
   points = look();
   opening = last_opening(points, widened_m(*watch.kerb));
   if (!opening) return;

@@ -12,8 +12,9 @@ namespace verge::detect::road_width {
 namespace {
 
 constexpr double kDeepest_m = 1.5;
-constexpr std::array kRadii_m = {0.25, 0.35, 0.5, 0.71, 1.0, 1.4, 2.0, 2.8, 4.0, 5.7, 8.0, 11.3, 16.0};
-constexpr double kBefore_m = 3.2;  // a circle of 16 m has moved out 0.3 m by then
+constexpr std::array kRadii_m = {0.25, 0.35, 0.5, 0.71, 1.0,  1.4,  2.0, 2.8,
+                                 4.0,  5.7,  8.0, 11.3, 16.0, 22.6, 32.0};
+constexpr double kBefore_m = 3.2;  // a circle of 32 m has moved out 0.16 m by then
 constexpr double kBehind_m = 0.1;
 constexpr double kStep_m = 0.1;
 
@@ -56,18 +57,33 @@ double left_m(double behind_m, double radius_m) {
 /// lines lose the kerb before it has turned away.
 double misfit(std::span<const Stretch> all, double begin_m, double radius_m, double sigma_m) {
   constexpr double kMost = 9.0;
+  constexpr double kUneven_m =
+      0.03;  // what more points of a stretch do not mend: kerbs are not exactly round
   double sum = 0.0;
   for (const Stretch& s : all) {
-    const double off = (s.outward_m - left_m(s.along_m - begin_m, radius_m)) / sigma_m;
-    sum += std::min(s.count * off * off, kMost);
+    const double off_m = s.outward_m - left_m(s.along_m - begin_m, radius_m);
+    sum += std::min(off_m * off_m / (kUneven_m * kUneven_m + sigma_m * sigma_m / s.count), kMost);
   }
   return sum;
+}
+
+/// Share of the points from `first_m` on that lie on the circle, or as deep as it is beyond it.
+double share_on(std::span<const KerbPoint> points, double first_m, double begin_m, double radius_m) {
+  constexpr double kNear_m = 0.15;
+  double on = 0.0, all = 0.0;
+  for (const KerbPoint& p : points) {
+    if (p.along_m < first_m) continue;
+    const double off_m = std::min(p.outward_m, kDeepest_m) - left_m(p.along_m - begin_m, radius_m);
+    all += 1.0;
+    on += std::fabs(off_m) <= kNear_m ? 1.0 : 0.0;
+  }
+  return all > 0.0 ? on / all : 0.0;
 }
 
 }  // namespace
 
 std::optional<KerbReturn> fit_kerb_return(std::span<const KerbPoint> points, double first_m, double sigma_m,
-                                          double least_radius_m) {
+                                          RadiusRange wide_m) {
   if (points.empty()) return std::nullopt;
   const std::vector<Stretch> all = stretches(points);
   constexpr auto kBegins = static_cast<std::size_t>((kBefore_m + kBehind_m) / kStep_m) + 1;
@@ -77,7 +93,8 @@ std::optional<KerbReturn> fit_kerb_return(std::span<const KerbPoint> points, dou
       misfits.push_back(
           misfit(all, first_m - kBefore_m + kStep_m * static_cast<double>(i), radius_m, sigma_m));
   }
-  const double least = *std::min_element(misfits.begin(), misfits.end());
+  const auto best = std::min_element(misfits.begin(), misfits.end());
+  const double least = *best;
   double sum = 0.0, begin = 0.0, squares = 0.0, wide = 0.0, log_radius = 0.0;
   for (std::size_t k = 0; k < misfits.size(); ++k) {
     const double weight = std::exp(-0.5 * (misfits[k] - least));
@@ -87,14 +104,17 @@ std::optional<KerbReturn> fit_kerb_return(std::span<const KerbPoint> points, dou
     begin += weight * before_m;
     squares += weight * before_m * before_m;
     log_radius += weight * std::log(radius_m);
-    if (radius_m >= least_radius_m) wide += weight;
+    if (radius_m >= wide_m.least && radius_m <= wide_m.most) wide += weight;
   }
   begin /= sum;
+  const auto best_index = static_cast<std::size_t>(best - misfits.begin());
+  const double best_begin_m = first_m - kBefore_m + kStep_m * static_cast<double>(best_index % kBegins);
   return KerbReturn{
       .begin_m = first_m + begin,
       .sigma_m = std::sqrt(std::max(0.0, squares / sum - begin * begin) + kStep_m * kStep_m / 12.0),
       .radius_m = std::exp(log_radius / sum),
-      .wide = wide / sum};
+      .wide = wide / sum,
+      .share = share_on(points, first_m, best_begin_m, kRadii_m.at(best_index / kBegins))};
 }
 
 }  // namespace verge::detect::road_width

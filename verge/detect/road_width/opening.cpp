@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
+
+#include "verge/core/statistics.hpp"
 
 namespace verge::detect::road_width {
 namespace {
@@ -11,6 +14,14 @@ namespace {
 constexpr std::size_t kInARow = 2;
 
 bool is_beyond(const KerbPoint& point, double widened_m) { return point.outward_m > widened_m; }
+
+double depth_m(std::span<const KerbPoint> points, double from_m) {
+  std::vector<double> outward;
+  for (const KerbPoint& point : points) {
+    if (point.along_m >= from_m) outward.push_back(point.outward_m);
+  }
+  return median(outward).value_or(0.0);
+}
 
 }  // namespace
 
@@ -30,11 +41,10 @@ std::optional<Opening> last_opening(std::span<const KerbPoint> points, double wi
     }
     inside = 0;
     if (++beyond == kInARow && !opening && inside_m)
-      opening = Opening{*inside_m, points[i - 1].along_m, point.along_m, points[i - 1].outward_m};
-    if (!opening) continue;
-    opening->last_m = point.along_m;
-    opening->deepest_m = std::max(opening->deepest_m, point.outward_m);
+      opening = Opening{*inside_m, points[i - 1].along_m, point.along_m, 0.0};
+    if (opening) opening->last_m = point.along_m;
   }
+  if (opening) opening->depth_m = depth_m(points, 0.5 * (opening->first_m + opening->last_m));
   return opening;
 }
 

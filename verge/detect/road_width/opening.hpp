@@ -11,10 +11,10 @@ namespace verge::detect::road_width {
 
 /// A stretch of one side where the road's edge lies beyond the straight kerb, along the way.
 struct Opening {
-  double inside_m = 0.0;   ///< The last place before it where the kerb was seen.
-  double first_m = 0.0;    ///< The first place beyond the kerb, ...
-  double last_m = 0.0;     ///< ... and the last one so far.
-  double deepest_m = 0.0;  ///< How far beyond, at the most.
+  double inside_m = 0.0;  ///< The last place before it where the kerb was seen.
+  double first_m = 0.0;   ///< The first place beyond the kerb, ...
+  double last_m = 0.0;    ///< ... and the last one so far.
+  double depth_m = 0.0;   ///< How far beyond in its latter half: the median.
 };
 
 /// The opening that the points (in order of the way) end in, before the kerb is seen again: more than

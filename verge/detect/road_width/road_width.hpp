@@ -60,9 +60,11 @@ struct RoadWidthConfig {
   // Corners of all lines together
   double straight_m = 8.0;
   double beyond_m = 0.1;
+  double standing_m = 0.25;
   double opening_m = 2.9;
   double bay_m = 2.6;
-  double wide_return_m = 2.0;
+  double wide_return_m = 2.5;
+  double widest_return_m = 12.0;
   double turned_m = 0.25;
 
   template <class Self, class Visitor>
@@ -131,6 +133,8 @@ struct RoadWidthConfig {
     visit(self.wide_return_m,
           {"wide_return_m", "m", 0.5, 10.0,
            "a kerb that turns away with such a radius or more leads into a side road", "ours"});
+    visit(self.widest_return_m,
+          {"widest_return_m", "m", 1.0, 30.0, "and no greater radius than this", "ours"});
     visit(self.turned_m, {"turned_m", "m", 0.05, 5.0, "once it is so far beyond the straight kerb", "ours"});
   }
 };
