@@ -14,9 +14,8 @@ namespace {
 
 constexpr std::size_t kLines = 4;
 
-bool is_usable(const Scan& scan, std::size_t i, double side_rad) {
-  const bool first_echo = scan.echo.empty() || scan.echo[i] == 0;
-  return first_echo && scan.range[i] > 0.0F && std::fabs(double{scan.azimuth[i]}) <= side_rad;
+bool is_usable(const Scan& scan, std::size_t i) {
+  return (scan.echo.empty() || scan.echo[i] == 0) && scan.range[i] > 0.0F;
 }
 
 double typical_step_rad(const std::vector<double>& azimuth) {
@@ -26,22 +25,26 @@ double typical_step_rad(const std::vector<double>& azimuth) {
 }
 
 /// None where the ring has no point ahead.
-std::optional<LayerLine> line_of(const Scan& scan, std::size_t ring, const LevelFrame& frame, double height_m,
-                                 double side_rad) {
+std::optional<LayerLine> line_of(const Scan& scan, std::size_t ring, const LevelFrame& frame,
+                                 const Mount& mount, double side_rad) {
   LayerLine line;
   std::vector<double> azimuth;
   const auto [begin, end] = scan.ring(ring);
+  line.points.reserve(end - begin);
+  line.level.reserve(end - begin);
+  azimuth.reserve(end - begin);
   for (std::size_t i = end; i-- > begin;) {  // azimuths fall from left to right
-    if (!is_usable(scan, i, side_rad)) continue;
+    const double from_road_rad = double{scan.azimuth[i]} - mount.forward_rad;
+    if (std::fabs(from_road_rad) > side_rad || !is_usable(scan, i)) continue;
     const Vec3 p = frame.to_level(scan.point(i));
     line.points.push_back({-p.y, p.x});
     line.level.push_back(p);
-    azimuth.push_back(scan.azimuth[i]);
+    azimuth.push_back(from_road_rad);
   }
   if (azimuth.empty()) return std::nullopt;
   const auto ahead = std::ranges::min_element(azimuth, {}, [](double a) { return std::fabs(a); });
   line.middle = static_cast<std::size_t>(ahead - azimuth.begin());
-  line.tangent = line.points[line.middle].y / height_m;
+  line.tangent = line.points[line.middle].y / mount.height_m;
   line.step_rad = typical_step_rad(azimuth);
   return line;
 }
@@ -72,13 +75,13 @@ std::vector<LayerLine> stand_ins(std::vector<LayerLine> all, const RoadWidthConf
 
 }  // namespace
 
-std::vector<LayerLine> four_lines(const Scan& scan, const LevelFrame& frame, double height_m,
+std::vector<LayerLine> four_lines(const Scan& scan, const LevelFrame& frame, const Mount& mount,
                                   const RoadWidthConfig& config) {
   std::vector<LayerLine> lines;
-  if (!(height_m > 0.0)) return lines;
+  if (!(mount.height_m > 0.0)) return lines;
   const bool is_four_layer = scan.ring_count() <= kLines;
   for (std::size_t ring = 0; ring < scan.ring_count(); ++ring) {
-    auto line = line_of(scan, ring, frame, height_m, config.side_rad);
+    auto line = line_of(scan, ring, frame, mount, config.side_rad);
     if (line && (is_four_layer || meets_road(*line))) lines.push_back(*std::move(line));
   }
   if (lines.size() > kLines) lines = stand_ins(std::move(lines), config);

@@ -24,8 +24,8 @@ struct LayerLine {
 
 /// The lines of the scan that meet the road ahead, first (farthest) to last (nearest), four at the most: its
 /// layers where it has no more than four, else those rings whose points straight ahead are nearest to where
-/// the four lines of the configuration would be. First echoes alone.
-[[nodiscard]] std::vector<LayerLine> four_lines(const Scan& scan, const LevelFrame& frame, double height_m,
+/// the four lines of the configuration would be. First echoes alone; `frame` is that of the mount.
+[[nodiscard]] std::vector<LayerLine> four_lines(const Scan& scan, const LevelFrame& frame, const Mount& mount,
                                                 const RoadWidthConfig& config);
 
 }  // namespace verge::detect::road_width

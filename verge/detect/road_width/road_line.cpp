@@ -10,30 +10,30 @@
 namespace verge::detect::road_width {
 namespace {
 
-/// Points in the order of a search: outward from the middle.
-class Outward {
- public:
-  Outward(std::span<const PicturePoint> points, std::size_t middle, bool leftward)
-      : points_(points), middle_(middle), leftward_(leftward) {}
+/// The points of one side in the order of the search: the middle one first, then outward.
+struct Side {
+  std::vector<PicturePoint> points;
+  bool leftward = false;
 
-  /// Points on this side of the middle one.
-  [[nodiscard]] std::size_t size() const { return leftward_ ? middle_ : points_.size() - 1 - middle_; }
-  /// Index of the point n places outward of the middle one.
-  [[nodiscard]] std::size_t index(std::size_t n) const { return leftward_ ? middle_ - n : middle_ + n; }
-  [[nodiscard]] const PicturePoint& at(std::size_t n) const { return points_[index(n)]; }
-
-  /// The `count` points outward of the current one, n places from the middle, itself not among them.
-  [[nodiscard]] std::vector<PicturePoint> window(std::size_t n, std::size_t count) const {
-    std::vector<PicturePoint> window;
-    for (std::size_t i = 1; i <= count; ++i) window.push_back(at(n + i));
-    return window;
+  /// Points outward of the middle one.
+  [[nodiscard]] std::size_t size() const { return points.size() - 1; }
+  /// Index in the layer of the point n places outward of the middle one.
+  [[nodiscard]] std::size_t index(std::size_t n, std::size_t middle) const {
+    return leftward ? middle - n : middle + n;
   }
-
- private:
-  std::span<const PicturePoint> points_;
-  std::size_t middle_;
-  bool leftward_;
 };
+
+Side side_of(std::span<const PicturePoint> points, std::size_t middle, bool leftward) {
+  Side side{{}, leftward};
+  if (leftward) {
+    const auto from_left = points.first(middle + 1);
+    side.points.assign(from_left.rbegin(), from_left.rend());
+  } else {
+    const auto from_middle = points.subspan(middle);
+    side.points.assign(from_middle.begin(), from_middle.end());
+  }
+  return side;
+}
 
 /// Sums from which the squared deviations of a set that grows and shrinks follow.
 struct Spread {
@@ -45,6 +45,37 @@ struct Spread {
     count += times;
   }
   [[nodiscard]] double deviation() const { return count > 0.0 ? squares - sum * sum / count : 0.0; }
+  [[nodiscard]] double mean_square() const { return count > 0.0 ? deviation() / count : 0.0; }
+};
+
+/// msdv_y and msdv_dx of a window of K points that goes outward, in the same time for any K.
+class Window {
+ public:
+  Window(const std::vector<PicturePoint>& side, std::size_t count) : side_(side), count_(count) {
+    for (std::size_t i = 1; i <= count; ++i) y_.add(y(i));
+    for (std::size_t i = 2; i <= count; ++i) dx_.add(dx(i));
+  }
+
+  /// Step 4, from the window behind point n to that behind the next one.
+  void go_on(std::size_t n) {
+    y_.add(y(n + 1), -1.0);
+    y_.add(y(n + 1 + count_));
+    if (count_ < 2) return;
+    dx_.add(dx(n + 2), -1.0);
+    dx_.add(dx(n + 1 + count_));
+  }
+
+  [[nodiscard]] double msdv_y() const { return y_.mean_square(); }
+  [[nodiscard]] double msdv_dx() const { return dx_.mean_square(); }
+
+ private:
+  // Against the middle point's, so that the sums' differences keep their digits.
+  [[nodiscard]] double y(std::size_t i) const { return side_[i].y - side_[0].y; }
+  [[nodiscard]] double dx(std::size_t i) const { return side_[i].x - side_[i - 1].x; }
+
+  const std::vector<PicturePoint>& side_;
+  std::size_t count_;
+  Spread y_, dx_;
 };
 
 double measure(double mean_square, const LineSearch& search) {
@@ -52,9 +83,9 @@ double measure(double mean_square, const LineSearch& search) {
 }
 
 /// Step 3.
-bool shows_edge(std::span<const PicturePoint> window, const LineSearch& search) {
-  return measure(msdv_y(window), search) > search.y_thres_m2 &&
-         measure(msdv_dx(window), search) < search.x_thres_m2;
+bool shows_edge(const Window& window, const LineSearch& search) {
+  return measure(window.msdv_y(), search) > search.y_thres_m2 &&
+         measure(window.msdv_dx(), search) < search.x_thres_m2;
 }
 
 /// How many points of the window are still road: where it falls best into a line across (y constant) and a
@@ -83,7 +114,7 @@ double tolerance_m(const LineSearch& search) {
 
 /// Whether at most `bridge` points of the window and of what follows differ from the road, and the line goes
 /// on behind them.
-bool is_small_matter(const Outward& side, std::size_t n, std::span<const PicturePoint> window,
+bool is_small_matter(const Side& side, std::size_t n, std::span<const PicturePoint> window,
                      const LineSearch& search) {
   if (search.bridge == 0) return false;
   std::vector<double> y;
@@ -92,35 +123,45 @@ bool is_small_matter(const Outward& side, std::size_t n, std::span<const Picture
   const std::size_t last = std::min(n + search.neighbours + search.bridge, side.size());
   std::size_t differ = 0;
   for (std::size_t i = n + 1; i <= last; ++i) {
-    if (std::fabs(side.at(i).y - road) > tolerance_m(search)) ++differ;
+    if (std::fabs(side.points[i].y - road) > tolerance_m(search)) ++differ;
   }
-  return differ <= search.bridge && std::fabs(side.at(last).y - road) <= tolerance_m(search);
+  return differ <= search.bridge && std::fabs(side.points[last].y - road) <= tolerance_m(search);
 }
 
 /// How high the face behind the edge is: over how much of the road its points stretch while they stay on it.
-double face_height_m(const Outward& side, std::size_t edge, const LineSearch& search) {
+double face_height_m(const Side& side, std::size_t edge, const LineSearch& search) {
   const double across =
       std::sqrt(search.standard ? search.x_thres_m2 * search.x_thres_m2 : search.x_thres_m2);
-  const PicturePoint foot = side.at(std::min(edge + 1, side.size()));
+  const PicturePoint foot = side.points[std::min(edge + 1, side.size())];
   double stretch = 0.0;
   for (std::size_t n = edge + 1; n <= side.size(); ++n) {
-    if (std::fabs(side.at(n).x - foot.x) > across) break;
-    stretch = std::max(stretch, std::fabs(side.at(n).y - foot.y));
+    if (std::fabs(side.points[n].x - foot.x) > across) break;
+    stretch = std::max(stretch, std::fabs(side.points[n].y - foot.y));
   }
   return stretch / search.tangent;
 }
 
 /// Steps 1 to 6 to one side.
-RoadEnd search_side(const Outward& side, const LineSearch& search) {
-  for (std::size_t n = 0; side.size() - n >= search.neighbours; ++n) {  // Step 2, and Step 4: outward
-    const auto window = side.window(n, search.neighbours);              // Step 3
-    if (!shows_edge(window, search)) continue;
-    if (is_small_matter(side, n, window, search)) continue;                   // trait (2)
-    const std::size_t edge = search.refine ? n + road_points(window) : n;     // Step 5
-    const bool high = face_height_m(side, edge, search) > search.obstacle_m;  // trait (1)
-    return {high ? LineEnd::kObstacle : LineEnd::kEdge, side.index(n), side.index(edge)};
+RoadEnd search_side(const Side& side, std::size_t middle, const LineSearch& search) {
+  const std::size_t count = search.neighbours;
+  if (side.size() >= count) {
+    Window window(side.points, count);
+    for (std::size_t n = 0;; ++n) {      // Step 2, and Step 4: outward
+      if (shows_edge(window, search)) {  // Step 3
+        const std::span<const PicturePoint> points(side.points.data() + n + 1, count);
+        if (!is_small_matter(side, n, points, search)) {                            // trait (2)
+          const std::size_t edge = search.refine ? n + road_points(points) : n;     // Step 5
+          const bool high = face_height_m(side, edge, search) > search.obstacle_m;  // trait (1)
+          return {high ? LineEnd::kObstacle : LineEnd::kEdge, side.index(n, middle),
+                  side.index(edge, middle)};
+        }
+      }
+      if (side.size() - n == count) break;
+      window.go_on(n);
+    }
   }
-  return {LineEnd::kOpen, side.index(side.size()), side.index(side.size())};  // Step 6
+  const std::size_t outermost = side.index(side.size(), middle);
+  return {LineEnd::kOpen, outermost, outermost};  // Step 6
 }
 
 bool is_road_about(std::span<const PicturePoint> points, std::size_t middle, const LineSearch& search) {
@@ -158,8 +199,8 @@ double msdv_dx(std::span<const PicturePoint> window) {
 std::optional<RoadLine> find_road_line(std::span<const PicturePoint> points, std::size_t middle,
                                        const LineSearch& search) {
   if (middle >= points.size()) return std::nullopt;
-  return RoadLine{.left = search_side({points, middle, true}, search),
-                  .right = search_side({points, middle, false}, search),  // Step 7
+  return RoadLine{.left = search_side(side_of(points, middle, true), middle, search),
+                  .right = search_side(side_of(points, middle, false), middle, search),  // Step 7
                   .middle_is_road = is_road_about(points, middle, search)};
 }
 

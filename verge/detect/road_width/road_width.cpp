@@ -132,8 +132,8 @@ Scene RoadWidth::process(const Scan& scan, Trace* trace) {
   State& state = *state_;
   const Mount mount = scan.mount ? *scan.mount : estimate_mount(scan).mount;
   const LevelFrame frame(mount);
-  const std::optional<double> step_m = state.go_on(scan);                                    // d_v
-  const auto roads = road_lines(four_lines(scan, frame, mount.height_m, config_), config_);  // Steps 1 to 7
+  const std::optional<double> step_m = state.go_on(scan);                           // d_v
+  const auto roads = road_lines(four_lines(scan, frame, mount, config_), config_);  // Steps 1 to 7
   if (trace != nullptr && !roads.empty()) record_lines(*trace, roads, reach_m(roads, config_), frame);
   if (config_.reading == CornerReading::kCombined && scan.T_world_sensor) {
     if (!roads.empty())
