@@ -49,15 +49,16 @@ Expected<study::Contestant> program_of(const std::string& file) {
   return study::contestant_of(escape_control_bytes(name), std::move(predictions));
 }
 
-/// The methods that were asked for, or all; then the predictions.
-Expected<std::vector<study::Contestant>> contestants_of(const EvaluateRequest& request) {
+/// The methods that were asked for, or all that say what is judged; then the predictions.
+Expected<std::vector<study::Contestant>> contestants_of(const EvaluateRequest& request,
+                                                        const study::Judged& judged) {
   std::vector<study::Contestant> contestants;
   try {
     for (const std::string& method : request.methods) contestants.push_back(study::contestant_of(method));
   } catch (const std::invalid_argument& error) {
     return Unexpected(usage_error(fmt::format("--method: {}", error.what())));
   }
-  if (request.methods.empty()) contestants = study::usual_contestants();
+  if (request.methods.empty()) contestants = study::usual_contestants(judged);
   if (request.predictions.empty()) return contestants;
   auto program = program_of(request.predictions);
   if (!program) return Unexpected(std::move(program).error());
@@ -83,7 +84,7 @@ study::RunOptions options_of(const EvaluateRequest& request) {
 Expected<study::Results> run_suite(const EvaluateRequest& request, Console& console, const Signals& signals) {
   auto suite = suite_of(request);
   if (!suite) return Unexpected(std::move(suite).error());
-  auto contestants = contestants_of(request);
+  auto contestants = contestants_of(request, suite->judged);
   if (!contestants) return Unexpected(std::move(contestants).error());
   const auto begin = std::chrono::steady_clock::now();
   const study::RunHooks hooks{.progress =

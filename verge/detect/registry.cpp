@@ -42,7 +42,7 @@ constexpr std::array kMethods{
                      "the road's width on four lines from scan to scan, and corners where it widens",
                      "Liu, Feng, Li, Zhang, Corner detection for intelligent vehicles based on a four-layer "
                      "radar",
-                     Says{.corners = true}),
+                     Says{.boundaries = false, .corners = true}),
 };
 
 }  // namespace

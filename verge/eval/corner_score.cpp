@@ -49,6 +49,8 @@ void follow_event(const Corner& corner, std::size_t scan, const Scene* predictio
   if (event.false_corner) return;
   score.latency_scans.push_back(static_cast<double>(scan - event.first_scan));
   score.latency_m.push_back(event.first_distance_m - distance_of(corner));
+  score.ahead_m.push_back(distance_of(corner));
+  score.late += distance_of(corner) < 0.0 ? 1U : 0U;
   score.position_error_m.push_back(*error_m);
 }
 
@@ -100,12 +102,14 @@ void append(std::vector<double>& to, const std::vector<double>& from) {
 CornerScore& CornerScore::operator+=(const CornerScore& more) {
   true_corners += more.true_corners;
   detected += more.detected;
+  late += more.late;
   false_presented += more.false_presented;
   false_reported += more.false_reported;
   reports += more.reports;
   false_reports += more.false_reports;
   append(latency_scans, more.latency_scans);
   append(latency_m, more.latency_m);
+  append(ahead_m, more.ahead_m);
   append(position_error_m, more.position_error_m);
   way_m += more.way_m;
   return *this;

@@ -26,6 +26,7 @@ struct CornerFrame {
 struct CornerScore {
   std::size_t true_corners = 0;
   std::size_t detected = 0;  ///< True corners with a prediction near them in one of their scans.
+  std::size_t late = 0;      ///< Those of them that had been passed when first detected.
   std::size_t false_presented = 0;
   std::size_t false_reported = 0;  ///< False corners likewise.
   std::size_t reports = 0;
@@ -34,6 +35,7 @@ struct CornerScore {
   /// metres that the corner came nearer; and the distance of the two positions then.
   std::vector<double> latency_scans;
   std::vector<double> latency_m;
+  std::vector<double> ahead_m;  ///< How far ahead it was then; negative: passed.
   std::vector<double> position_error_m;
   double way_m = 0.0;  ///< From place to place, where both are known.
 

@@ -97,6 +97,11 @@ CenterLine::CenterLine(std::vector<Piece> pieces, const Station& start, bool clo
                           std::fabs(wrap_pi(place.heading_rad - start.heading_rad)) < 1e-3;
   require(!closed || comes_back, "a closed line must come back to its start");
   for (double s = 0.0; s < station; s += kMilestone_m) milestones_.push_back(at(s).position);
+  low_ = high_ = start.position;
+  for (const Vec2 p : milestones_) {
+    low_ = {std::min(low_.x, p.x - kMilestone_m), std::min(low_.y, p.y - kMilestone_m)};
+    high_ = {std::max(high_.x, p.x + kMilestone_m), std::max(high_.y, p.y + kMilestone_m)};
+  }
 }
 
 double CenterLine::wrapped(double station_m) const {
@@ -133,6 +138,11 @@ std::vector<double> CenterLine::joints() const {
   std::vector<double> stations;
   for (const Joint& joint : joints_) stations.push_back(joint.station_m);
   return stations;
+}
+
+double CenterLine::at_least_m(Vec2 p) const {
+  return norm(
+      Vec2{std::max({low_.x - p.x, p.x - high_.x, 0.0}), std::max({low_.y - p.y, p.y - high_.y, 0.0})});
 }
 
 Beside CenterLine::nearest(Vec2 p) const {

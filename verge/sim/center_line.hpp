@@ -70,6 +70,9 @@ class CenterLine {
 
   /// The place of the line nearest to `p`, between station 0 and the length.
   [[nodiscard]] Beside nearest(Vec2 p) const;
+  /// No place of the line between station 0 and the length is nearer to `p` than this: cheap, for those that
+  /// look for the nearest of many lines.
+  [[nodiscard]] double at_least_m(Vec2 p) const;
 
  private:
   struct Joint {  // where a piece begins
@@ -82,6 +85,7 @@ class CenterLine {
 
   std::vector<Joint> joints_;     // one a piece, and one at the end
   std::vector<Vec2> milestones_;  // every kMilestone_m, to find the nearest place
+  Vec2 low_, high_;               // corners of a box that holds all of the line
   bool closed_ = false;
 };
 

@@ -145,7 +145,8 @@ Simulated Drive::scan(std::uint64_t index) const {
                             .heading_rad = place.heading_rad,
                             .road = static_cast<std::size_t>(course.road - 1),
                             .time_s = middle_s,
-                            .radius_m = config_.truth_radius_m});
+                            .radius_m = config_.truth_radius_m,
+                            .lines = config_.truth_lines});
   out.truth.frame = out.scan.frame;
   out.truth.stamp_ns = out.scan.stamp_ns;
   out.mount = mount_of(config_.scenario.stand);

@@ -26,6 +26,7 @@ struct DriveConfig {
   NoiseConfig noise;
   std::int64_t stamp_begin_ns = 0;  ///< Stamp of time 0, ns since the Unix epoch.
   double truth_radius_m = 30.0;
+  bool truth_lines = true;  ///< TruthView::lines.
 };
 
 /// One scan and all that is true of it.

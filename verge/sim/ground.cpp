@@ -64,7 +64,10 @@ double Ground::land(Vec2 p) const {
 double Ground::below_crown(Vec2 p) const {
   if (config_.crown == 0.0) return 0.0;
   double least = std::numeric_limits<double>::infinity();
-  for (const Road& road : roads_) least = std::min(least, std::fabs(road.line().nearest(p).lateral_m));
+  for (const Road& road : roads_) {
+    if (road.line().at_least_m(p) < least)
+      least = std::min(least, std::fabs(road.line().nearest(p).lateral_m));
+  }
   return config_.crown * least;
 }
 

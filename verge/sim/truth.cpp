@@ -479,11 +479,13 @@ Scene Truth::scene(const TruthView& view) const {
   Scene scene;
   scene.method = "truth";
   const Whereabouts where = whereabouts(view.T_world_sensor.translation.xy(), view.heading_rad, view.road);
-  for (const Chain& chain : chains_) add_boundaries(chain, view, where, scene);
+  if (view.lines) {
+    for (const Chain& chain : chains_) add_boundaries(chain, view, where, scene);
+  }
   std::stable_sort(scene.boundaries.begin(), scene.boundaries.end(),
                    [](const Boundary& a, const Boundary& b) { return a.side < b.side; });
   for (std::size_t i = 0; i < scene.boundaries.size(); ++i) scene.boundaries[i].id = static_cast<int>(i) + 1;
-  add_openings(view, scene);
+  if (view.lines) add_openings(view, scene);
   add_corners(view, where, scene);
   add_junctions(view, where, scene);
   add_objects(view, scene);

@@ -30,6 +30,7 @@ struct TruthView {
   std::size_t road = 0;      ///< The road that it is on, where it is on several at once.
   double time_s = 0.0;       ///< After the start.
   double radius_m = 30.0;
+  bool lines = true;  ///< Boundaries and openings too; they take most of the time.
 };
 
 /// What a perfect detector would say of a land and its furniture.

@@ -19,12 +19,21 @@ Setting setting_of(std::string_view text) {
   return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
 }
 
-bool has_printed_reading(const detect::Method& method) {
+bool says_any(const detect::Says& says, const Judged& judged) {
+  return (says.boundaries && judged.boundaries) || (says.corners && judged.corners) ||
+         (says.objects && judged.objects);
+}
+
+/// All but the usual one, which every method's own name stands for.
+std::vector<std::string> other_readings(const detect::Method& method) {
+  std::vector<std::string> others;
   for (const FieldRow& row : method.fields({})) {
-    if (row.info.name == "reading")
-      return std::ranges::find(row.choices, std::string_view("paper")) != row.choices.end();
+    if (row.info.name != "reading") continue;
+    for (const std::string_view choice : row.choices) {
+      if (choice != row.value) others.emplace_back(choice);
+    }
   }
-  return false;
+  return others;
 }
 
 }  // namespace
@@ -43,12 +52,13 @@ Contestant contestant_of(std::string_view text) {
   return contestant;
 }
 
-std::vector<Contestant> usual_contestants() {
+std::vector<Contestant> usual_contestants(const Judged& judged) {
   std::vector<Contestant> contestants;
   for (const detect::Method& method : detect::methods()) {
+    if (!says_any(method.says, judged)) continue;
     contestants.push_back(contestant_of(method.name));
-    if (has_printed_reading(method))
-      contestants.push_back(contestant_of(fmt::format("{}:reading=paper", method.name)));
+    for (const std::string& reading : other_readings(method))
+      contestants.push_back(contestant_of(fmt::format("{}:reading={}", method.name, reading)));
   }
   return contestants;
 }

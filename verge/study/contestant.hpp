@@ -12,6 +12,7 @@
 #include "verge/core/field_io.hpp"
 #include "verge/detect/registry.hpp"
 #include "verge/model/scene.hpp"
+#include "verge/study/suite.hpp"
 
 namespace verge::study {
 
@@ -31,8 +32,9 @@ struct Contestant {
 /// method does not exist or does not take these settings.
 [[nodiscard]] Contestant contestant_of(std::string_view text);
 
-/// Every registered method, and after each its printed reading (reading=paper) where it has one.
-[[nodiscard]] std::vector<Contestant> usual_contestants();
+/// Every registered method that says what is judged, and after each its other readings where it has some
+/// (reading=paper).
+[[nodiscard]] std::vector<Contestant> usual_contestants(const Judged& judged);
 
 /// A program by its predictions. It says corners, or objects, where any of them does.
 [[nodiscard]] Contestant contestant_of(std::string name, Predictions predictions);

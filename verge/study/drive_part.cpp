@@ -100,6 +100,7 @@ Seen see_drive_again(const MadeDrives& drives, const ScanScore& wanted, const Co
     sim::Simulated simulated = world.scan(index);
     seen.frame = {};
     seen.frame.scan = thin(std::move(simulated.scan), drives.lost, wanted.drive, index);
+    seen.frame.scan.mount = drives.mount;
     pipeline::prepare(seen.frame, {});
     pipeline::detect_on(seen.frame, *detector, options_of(contestant));
     seen.truth = std::move(simulated.truth);
@@ -122,6 +123,7 @@ std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const MadeDriv
     sim::Simulated simulated = world.scan(index_of(drives, i));
     pipeline::Frame frame;
     frame.scan = thin(std::move(simulated.scan), drives.lost, drive, index_of(drives, i));
+    frame.scan.mount = drives.mount;
     const double prepare_s = seconds_of([&] { pipeline::prepare(frame, {}); });
     for (Driver& driver : drivers) driver.see(frame, prepare_s, simulated.truth, drive, index_of(drives, i));
     if (suite.judged.corners) truths.push_back(corners_of(simulated.truth));

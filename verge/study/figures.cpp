@@ -91,6 +91,7 @@ void add_corners(const eval::CornerScore& corners, Figures& figures, bool said) 
   Collector add(figures, said);
   add("detected", number(corners.detected));
   add("m1", corners.m1());
+  add("late", number(corners.late));
   add("false_reported", number(corners.false_reported));
   add("m2", corners.m2());
   add("reports", number(corners.reports));
@@ -99,6 +100,7 @@ void add_corners(const eval::CornerScore& corners, Figures& figures, bool said) 
   add("false_reports_a_km", corners.false_reports_a_km());
   add("latency_scans", median(corners.latency_scans));
   add("latency_m", median(corners.latency_m));
+  add("ahead_m", median(corners.ahead_m));
   add("position_error_m", median(corners.position_error_m));
   add("position_error_p95_m", percentile(corners.position_error_m, 95.0));
 }

@@ -101,12 +101,13 @@ Plot f1_by_tolerance(const Results& results, std::size_t cell) {
   return plot;
 }
 
-/// A degradation curve: F1 of each method over a condition.
-Plot curve_of(const Results& results, const std::string& condition) {
-  Plot plot{.title = fmt::format("F1 by {}", condition),
-            .about = fmt::format("One line a method: F1 as the condition changes: {}.", condition),
+/// A degradation curve: a figure of each method over a condition.
+Plot curve_of(const Results& results, const std::string& condition, const std::string& figure,
+              const std::string& name) {
+  Plot plot{.title = fmt::format("{} by {}", name, condition),
+            .about = fmt::format("One line a method: {} as the condition changes: {}.", name, condition),
             .x_label = condition,
-            .y_label = "F1",
+            .y_label = name,
             .y_max = 1.0,
             .series = {}};
   for (std::size_t i = 0; i < results.contestants.size(); ++i) {
@@ -114,7 +115,7 @@ Plot curve_of(const Results& results, const std::string& condition) {
     for (std::size_t cell = 0; cell < results.suite.cells.size(); ++cell) {
       if (results.suite.cells[cell].condition != condition) continue;
       const Figures figures = figures_of(results.suite, results.contestants[i], results.tally(cell, i));
-      series.points.push_back({results.suite.cells[cell].value, value_of(figures, "f1").value_or(kNone)});
+      series.points.push_back({results.suite.cells[cell].value, value_of(figures, figure).value_or(kNone)});
     }
     plot.series.push_back(std::move(series));
   }
@@ -191,7 +192,12 @@ std::vector<std::string> conditions_of(const Suite& suite) {
 std::vector<Plot> plots_of(const Results& results) {
   std::vector<Plot> plots;
   const Suite& suite = results.suite;
-  for (const std::string& condition : conditions_of(suite)) plots.push_back(curve_of(results, condition));
+  for (const std::string& condition : conditions_of(suite)) {
+    if (suite.judged.boundaries) plots.push_back(curve_of(results, condition, "f1", "F1"));
+    if (!suite.judged.corners) continue;
+    plots.push_back(curve_of(results, condition, "m1", "M1"));
+    plots.push_back(curve_of(results, condition, "m2", "M2"));
+  }
   for (std::size_t cell = 0; cell < suite.cells.size(); ++cell) {
     if (is_labelled(suite.cells[cell])) plots.push_back(f1_by_tolerance(results, cell));
   }

@@ -173,7 +173,7 @@ TEST(Contestant, IsAMethodWithSettings) {
 
 TEST(Contestant, UsuallyIsEveryMethodInEveryReading) {
   std::set<std::string> names;
-  for (const Contestant& contestant : usual_contestants()) names.insert(contestant.name);
+  for (const Contestant& contestant : usual_contestants({})) names.insert(contestant.name);
   for (const detect::Method& method : detect::methods())
     EXPECT_TRUE(names.contains(std::string(method.name)));
   EXPECT_TRUE(names.contains("gradient:reading=paper"));

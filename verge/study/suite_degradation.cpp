@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include <functional>
-#include <utility>
+#include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "verge/sim/ready.hpp"
 #include "verge/sim/sensors.hpp"
+#include "verge/study/conditions.hpp"
 #include "verge/study/suite_list.hpp"
 
 // One condition gets worse, all others stay: HDL-32E at 1.9 m, range noise 2 cm, kerbs of 12 cm, a street of
@@ -30,9 +28,6 @@ sim::DriveConfig usual(std::uint64_t drive) {
   config.noise.seed = drive;
   return config;
 }
-
-/// What a value of a condition does to a drive.
-using Change = std::function<void(sim::DriveConfig&, double value)>;
 
 void set_noise(sim::DriveConfig& config, double value) { config.noise.range_sigma_m = value; }
 
@@ -61,31 +56,6 @@ void set_curvature(sim::DriveConfig& config, double value) {
   config.scenario.course.at_m = 30.0;
 }
 
-void add_condition(std::vector<Cell>& cells, const std::string& condition, const std::vector<double>& values,
-                   const Change& change, const SuiteRequest& request) {
-  for (const double value : values) {
-    const auto make = [change, value](std::uint64_t drive) {
-      sim::DriveConfig config = usual(drive);
-      change(config, value);
-      return config;
-    };
-    cells.push_back({fmt::format("{} {:g}", condition, value),
-                     MadeDrives{.make = make,
-                                .drives = request.drives.value_or(4),
-                                .scans = request.scans.value_or(kScans),
-                                .step = kStep},
-                     condition, value});
-  }
-}
-
-void add_losses(std::vector<Cell>& cells, const SuiteRequest& request) {
-  const std::size_t before = cells.size();
-  const auto nothing = [](sim::DriveConfig&, double) {};
-  add_condition(cells, "returns lost, share", {0.0, 0.1, 0.2, 0.3}, nothing, request);
-  for (std::size_t i = before; i < cells.size(); ++i)
-    std::get<MadeDrives>(cells[i].scans).lost = cells[i].value;
-}
-
 }  // namespace
 
 Suite degradation_suite(const SuiteRequest& request) {
@@ -97,14 +67,20 @@ Suite degradation_suite(const SuiteRequest& request) {
       "usually are: "
       "HDL-32E at 1.9 m, range noise 2 cm, pitch 0.57 degrees, kerbs of 12 cm, a street of 8 m between "
       "houses.";
-  add_condition(suite.cells, "range noise, m", {0.01, 0.02, 0.03, 0.04, 0.05}, set_noise, request);
-  add_condition(suite.cells, "kerb height, m", {0.03, 0.05, 0.08, 0.1, 0.12, 0.15, 0.2}, set_kerb, request);
-  add_condition(suite.cells, "pitch, degrees", {-2.0, -1.0, 0.0, 1.0, 2.0}, set_pitch, request);
-  add_condition(suite.cells, "kerb lined with parked cars, share", {0.0, 0.1, 0.2, 0.3, 0.4}, set_parked,
-                request);
-  add_losses(suite.cells, request);
-  add_condition(suite.cells, "curvature, 1/m", {0.002, 0.005, 0.01, 0.02, 0.033, 0.05}, set_curvature,
-                request);
+  const MadeDrives drives{.make = usual,
+                          .drives = request.drives.value_or(4),
+                          .scans = request.scans.value_or(kScans),
+                          .step = kStep};
+  const auto add = [&](const std::string& condition, const std::vector<double>& values,
+                       const Change& change) {
+    add_condition(suite.cells, condition, values, drives, change);
+  };
+  add("range noise, m", {0.01, 0.02, 0.03, 0.04, 0.05}, set_noise);
+  add("kerb height, m", {0.03, 0.05, 0.08, 0.1, 0.12, 0.15, 0.2}, set_kerb);
+  add("pitch, degrees", {-2.0, -1.0, 0.0, 1.0, 2.0}, set_pitch);
+  add("kerb lined with parked cars, share", {0.0, 0.1, 0.2, 0.3, 0.4}, set_parked);
+  add_losses(suite.cells, {0.0, 0.1, 0.2, 0.3}, drives);
+  add("curvature, 1/m", {0.002, 0.005, 0.01, 0.02, 0.033, 0.05}, set_curvature);
   suite.columns = {{"scans", "scans", 0},        {"precision", "precision"},
                    {"recall", "recall"},         {"f1", "F1"},
                    {"success", "success"},       {"lateral_p95_m", "95 % error m"},

@@ -33,6 +33,8 @@ std::span<const SuiteEntry> suites() {
       SuiteEntry{"real", "the labelled public sets", real_suite},
       SuiteEntry{"degradation", "what noise, kerb height, pitch, parked cars, lost returns and bends cost",
                  degradation_suite},
+      SuiteEntry{"corners", "the same of corners: noise, kerb height, pitch, yaw, lost returns, parked cars",
+                 corners_suite},
       SuiteEntry{"campus", "a drive round the campus, stretch by stretch", campus_suite}};
   return kSuites;
 }

@@ -17,8 +17,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuccessCounts, minimum, larger, failed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ObjectScore, predicted, truth, matched, over_segmented, under_segmented,
                                    heading_error_rad, corner_error_m, overlap, class_predicted, class_truth,
                                    class_matched)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CornerScore, true_corners, detected, false_presented, false_reported,
-                                   reports, false_reports, latency_scans, latency_m, position_error_m, way_m)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CornerScore, true_corners, detected, late, false_presented, false_reported,
+                                   reports, false_reports, latency_scans, latency_m, ahead_m,
+                                   position_error_m, way_m)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ToleranceScore, tolerance_m, found, found_kerbs, judged, right, squared_m2,
                                    f1_sum)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LabelScore, scans, absent, true_points, kerb_points, samples, at)
