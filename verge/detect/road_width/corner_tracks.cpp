@@ -16,7 +16,6 @@ void CornerTracks::add(const FoundCorner& found) {
   Corner corner;
   corner.id = next_id_++;
   corner.side = found.side;
-  corner.position.y = found.lateral_m;
   corner.sigma_m = found.sigma_m;
   corner.confidence = found.confidence;
   tracks_.push_back({corner, found});
@@ -31,15 +30,19 @@ void CornerTracks::leave(CornerSide side, double exit_m) {
   }
 }
 
-std::vector<Corner> CornerTracks::at(double way_m) {
+std::vector<Corner> CornerTracks::at(double way_m, const std::optional<Pose>& T_world_level) {
   std::erase_if(tracks_, [&](const Track& track) {
     return track.exit_m.value_or(track.found.at_m + kLongest_m) < way_m;
   });
   std::vector<Corner> corners;
   for (const Track& track : tracks_) {
     Corner corner = track.corner;
-    corner.position.x = track.found.at_m - way_m;
-    corner.distance_m = corner.position.x;
+    corner.distance_m = track.found.at_m - way_m;
+    corner.position = {*corner.distance_m, track.found.lateral_m};
+    if (track.found.place && T_world_level) {
+      const Vec2 place = *track.found.place;
+      corner.position = (inverse(*T_world_level) * Vec3{place.x, place.y, T_world_level->translation.z}).xy();
+    }
     if (track.exit_m) corner.exit_m = *track.exit_m - way_m;
     corners.push_back(corner);
   }

@@ -13,10 +13,6 @@ namespace {
 
 constexpr double kLongest_m = 30.0;  // of an opening
 
-Vec2 heading_of(const Whereabouts& here) { return rotate(here.T_world_level.rotation, {1.0, 0.0, 0.0}).xy(); }
-
-Vec2 in_world(const Whereabouts& here, Vec3 level) { return (here.T_world_level * level).xy(); }
-
 /// Index of the outermost point of the line that is not beyond `reach_m` to that side.
 std::size_t outermost(const LayerLine& line, std::size_t edge, double reach_m, bool left) {
   std::size_t i = edge;
@@ -24,18 +20,12 @@ std::size_t outermost(const LayerLine& line, std::size_t edge, double reach_m, b
   return i;
 }
 
-/// How far ahead the line is where it comes to `lateral_m` on that side; at its end where it does not.
-double ahead_m(const LayerLine& line, std::size_t edge, double lateral_m, bool left) {
+/// The point of the line where it comes to `lateral_m` on that side; its end where it does not.
+std::size_t crossing(const LayerLine& line, std::size_t edge, double lateral_m, bool left) {
   std::size_t i = line.middle;
   while (i != edge && std::fabs(line.points[i].x) < lateral_m) left ? --i : ++i;
-  return line.points[i].y;
+  return i;
 }
-
-/// One end of a line.
-struct End {
-  std::size_t index = 0;
-  bool open = false;
-};
 
 /// The innermost point of what stands on the road within a line's end: lines run under cars, and over their
 /// fronts. None where nothing does.
@@ -53,12 +43,21 @@ std::optional<std::size_t> standing(const LayerLine& line, double end_m, double 
   return count >= kLeast ? innermost : std::nullopt;
 }
 
-End end_of(const Road& road, double reach_m, double height_m, bool left) {
+/// One end of a line.
+struct End {
+  std::size_t index = 0;  // the point that ends it
+  std::size_t where = 0;  // the point that says how far along the way
+  SightKind kind = SightKind::kKerb;
+};
+
+End end_of(const Road& road, double reach_m, double kerb_m, double height_m, bool left) {
   const RoadEnd& end = left ? road.road.left : road.road.right;
   const std::size_t index = outermost(road.line, end.edge, reach_m, left);
   const double end_m = std::fabs(road.line.points[index].x);
-  if (const auto inner = standing(road.line, end_m, height_m, left)) return {*inner, false};
-  return {index, end.kind == LineEnd::kOpen || index != end.edge};
+  if (const auto thing = standing(road.line, end_m, height_m, left))
+    return {*thing, *thing, SightKind::kThing};
+  const bool open = end.kind == LineEnd::kOpen || index != end.edge;
+  return {index, crossing(road.line, index, kerb_m, left), open ? SightKind::kOpen : SightKind::kKerb};
 }
 
 }  // namespace
@@ -73,25 +72,28 @@ void KerbCorners::add_sights(const std::vector<Road>& roads, const Whereabouts& 
   const Vec2 place = here.T_world_level.translation.xy();
   for (const Road& road : roads) {
     if (!road.road.middle_is_road) continue;
-    const std::array<End, 2> ends = {end_of(road, reach, config_.standing_m, true),
-                                     end_of(road, reach, config_.standing_m, false)};
+    std::array<End, 2> ends;
     for (std::size_t side = 0; side < 2; ++side) {
-      Watch& watch = watches_.at(side);
+      const auto& kerb = watches_.at(side).kerb;
+      ends.at(side) =
+          end_of(road, reach, kerb ? -kerb->outward_m(place) : reach, config_.standing_m, side == 0);
+    }
+    const auto world_of = [&](std::size_t i) { return (here.T_world_level * road.line.level[i]).xy(); };
+    for (std::size_t side = 0; side < 2; ++side) {
       const End& end = ends.at(side);
       const End& opposite = ends.at(1 - side);
-      const double kerb_m = watch.kerb ? -watch.kerb->outward_m(place) : reach;
-      watch.profile.see({.along_m = here.way_m + ahead_m(road.line, end.index, kerb_m, side == 0),
-                         .end = in_world(here, road.line.level[end.index]),
-                         .opposite = in_world(here, road.line.level[opposite.index]),
-                         .open = end.open,
-                         .opposite_open = opposite.open});
+      watches_.at(side).profile.see({.along_m = here.way_m + dot(world_of(end.where) - place, here.course),
+                                     .kind = end.kind,
+                                     .end = world_of(end.index),
+                                     .opposite = world_of(opposite.index),
+                                     .opposite_kind = opposite.kind});
     }
   }
 }
 
 void KerbCorners::fit_kerb(Watch& watch, bool left, const Whereabouts& here, double to_m) const {
   const double from_m = std::max(here.way_m - config_.straight_m, watch.clear_from_m);
-  if (auto kerb = watch.profile.straight(from_m, to_m, heading_of(here), left)) watch.kerb = kerb;
+  if (auto kerb = watch.profile.straight(from_m, to_m, here.course, left)) watch.kerb = kerb;
 }
 
 std::optional<FoundCorner> KerbCorners::corner_of(const Opening& opening,
@@ -141,9 +143,9 @@ void KerbCorners::look_for_corner(Watch& watch, const Watch& other, bool left, c
   if (!opening) return;
   auto corner = corner_of(*opening, points, *watch.kerb, here);
   if (!corner) return;
-  const Vec2 ahead = here.T_world_level.translation.xy() + (corner->at_m - here.way_m) * heading_of(here);
+  const Vec2 ahead = here.T_world_level.translation.xy() + (corner->at_m - here.way_m) * here.course;
   corner->side = left ? CornerSide::kLeft : CornerSide::kRight;
-  corner->lateral_m = (left ? -1.0 : 1.0) * watch.kerb->outward_m(ahead);
+  corner->place = fit::point_at(watch.kerb->line, fit::station(watch.kerb->line, ahead));
   tracks.add(*corner);
   watch.in_corner_m = corner->at_m;
 }

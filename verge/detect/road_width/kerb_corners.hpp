@@ -19,8 +19,9 @@ namespace verge::detect::road_width {
 /// Where the vehicle is.
 struct Whereabouts {
   Pose T_world_level{};
-  double way_m = 0.0;   ///< Since the first scan.
-  double step_m = 0.0;  ///< d_v: since the scan before.
+  Vec2 course{1.0, 0.0};  ///< Unit vector in which it goes, in the world.
+  double way_m = 0.0;     ///< Since the first scan.
+  double step_m = 0.0;    ///< d_v: since the scan before.
 };
 
 /// Corners from all four lines at once: where each of them ends, on each side, is put in its place along the

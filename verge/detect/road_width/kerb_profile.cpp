@@ -27,7 +27,7 @@ std::vector<Vec2> near_ones(std::span<const Vec2> points, double within_m, Dista
 /// How much the road has moved out on this side because it bends: as much as it moved in on the other.
 double bend_m(const KerbSight& sight, const StraightKerb* other) {
   constexpr double kMost_m = 0.5;  // more is something that stands on the road
-  if (other == nullptr || sight.opposite_open) return 0.0;
+  if (other == nullptr || sight.opposite_kind != SightKind::kKerb) return 0.0;
   const double inward_m = -other->outward_m(sight.opposite);
   return inward_m > 0.0 && inward_m < kMost_m ? inward_m : 0.0;
 }
@@ -54,7 +54,7 @@ std::optional<StraightKerb> KerbProfile::straight(double from_m, double to_m, Ve
   std::vector<double> across;
   for (auto it = std::lower_bound(sights_.begin(), sights_.end(), from_m, is_before);
        it != sights_.end() && it->along_m <= to_m; ++it) {
-    if (it->open) continue;
+    if (it->kind != SightKind::kKerb) continue;
     points.push_back(it->end);
     across.push_back(cross(heading, it->end - points.front()));
   }
@@ -75,10 +75,13 @@ std::optional<StraightKerb> KerbProfile::straight(double from_m, double to_m, Ve
 
 std::vector<KerbPoint> KerbProfile::against(const StraightKerb& kerb, const StraightKerb* other,
                                             double from_m) const {
+  constexpr double kSetback_m = 0.6;
   std::vector<KerbPoint> points;
   for (auto it = std::lower_bound(sights_.begin(), sights_.end(), from_m, is_before); it != sights_.end();
        ++it) {
-    points.push_back({it->along_m, kerb.outward_m(it->end) - bend_m(*it, other), it->open});
+    const double outward_m = kerb.outward_m(it->end) - bend_m(*it, other);
+    const bool on_kerb = it->kind == SightKind::kThing && outward_m < kSetback_m;
+    points.push_back({it->along_m, on_kerb ? std::min(outward_m, 0.0) : outward_m});
   }
   return points;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,14 +12,21 @@
 
 namespace verge::detect::road_width {
 
-/// Where a line ended on one side of the road. `along_m` is where it crossed the kerb's line: the way at the
-/// scan, and how far ahead.
+/// What ended a line on one side of the road.
+enum class SightKind : std::uint8_t {
+  kKerb,   ///< An edge.
+  kOpen,   ///< Nothing within reach.
+  kThing,  ///< Something that stands there, and hides how the kerb runs.
+};
+
+/// Where a line ended on one side of the road. `along_m` is where it crossed the kerb's line, or where the
+/// thing stands: the way at the scan, and how far ahead.
 struct KerbSight {
   double along_m = 0.0;
-  Vec2 end{};                  ///< In the world.
-  Vec2 opposite{};             ///< The line's other end.
-  bool open = false;           ///< No edge ended it.
-  bool opposite_open = false;  ///< Likewise the other end.
+  SightKind kind = SightKind::kKerb;
+  Vec2 end{};                                  ///< In the world.
+  Vec2 opposite{};                             ///< The line's other end, ...
+  SightKind opposite_kind = SightKind::kKerb;  ///< ... and what it is.
 };
 
 /// The straight kerb of one side.
@@ -34,7 +42,6 @@ struct StraightKerb {
 struct KerbPoint {
   double along_m = 0.0;
   double outward_m = 0.0;  ///< Away from the road, metres.
-  bool open = false;
 };
 
 /// The ends of all four lines on one side over the way: where the kerb runs, whichever line saw it and when.
@@ -45,12 +52,13 @@ class KerbProfile {
   void forget_before(double along_m);
   void clear() { sights_.clear(); }
 
-  /// The line through the sights that ended at something between two places, but for those apart from most of
-  /// them. `heading` is the road's direction, `left` the side. None where there are fewer than eight, or they
+  /// The line through the edges between two places, but for those apart from most of them. `heading` is the
+  /// road's direction, `left` the side. None where there are fewer than eight, or they
   /// take up less than 3 m.
   [[nodiscard]] std::optional<StraightKerb> straight(double from_m, double to_m, Vec2 heading,
                                                      bool left) const;
-  /// All sights from a place on against a straight kerb; `other`, the other side's one where it is known,
+  /// All sights from a place on against a straight kerb; a thing less than 0.6 m behind it, as cars park,
+  /// stands on it. `other`, the other side's one where it is known,
   /// tells a bend of the road, in which one side moves in as the other moves out.
   [[nodiscard]] std::vector<KerbPoint> against(const StraightKerb& kerb, const StraightKerb* other,
                                                double from_m) const;

@@ -35,13 +35,31 @@ struct RoadWidth::State {
     if (!position || !before) return std::nullopt;
     const double step_m = norm((*position - *before).xy());
     way_m += step_m;
+    turn_to(position->xy());
     return step_m;
+  }
+
+  /// The course, from one place to another a metre on.
+  void turn_to(Vec2 place) {
+    constexpr double kFar_m = 1.0;
+    if (!turned_at) turned_at = place;
+    const double far_m = distance(place, *turned_at);
+    if (far_m < kFar_m) return;
+    course = (1.0 / far_m) * (place - *turned_at);
+    turned_at = place;
+  }
+
+  [[nodiscard]] Whereabouts whereabouts(const Pose& T_world_level, std::optional<double> step_m) const {
+    const Vec2 heading = rotate(T_world_level.rotation, {1.0, 0.0, 0.0}).xy();
+    return {T_world_level, course.value_or((1.0 / norm(heading)) * heading), way_m, step_m.value_or(0.0)};
   }
 
   WidthCorners width_corners;
   KerbCorners kerb_corners;
   CornerTracks tracks;
   std::optional<Vec3> position{};
+  std::optional<Vec2> turned_at{};
+  std::optional<Vec2> course{};
   double way_m = 0.0;
 };
 
@@ -135,15 +153,16 @@ Scene RoadWidth::process(const Scan& scan, Trace* trace) {
   const std::optional<double> step_m = state.go_on(scan);                           // d_v
   const auto roads = road_lines(four_lines(scan, frame, mount, config_), config_);  // Steps 1 to 7
   if (trace != nullptr && !roads.empty()) record_lines(*trace, roads, reach_m(roads, config_), frame);
-  if (config_.reading == CornerReading::kCombined && scan.T_world_sensor) {
+  std::optional<Pose> T_world_level;
+  if (scan.T_world_sensor) T_world_level = level_pose(*scan.T_world_sensor, mount);
+  if (config_.reading == CornerReading::kCombined && T_world_level) {
     if (!roads.empty())
-      state.kerb_corners.see(
-          roads, {level_pose(*scan.T_world_sensor, mount), state.way_m, step_m.value_or(0.0)}, state.tracks);
+      state.kerb_corners.see(roads, state.whereabouts(*T_world_level, step_m), state.tracks);
   } else if (are_comparable(roads, config_)) {
     const WidthStep step = state.width_corners.see(roads, state.way_m, step_m, state.tracks);
     if (trace != nullptr) record_step(*trace, step);
   }
-  return scene_of(scan, roads, state.tracks.at(state.way_m), frame);
+  return scene_of(scan, roads, state.tracks.at(state.way_m, T_world_level), frame);
 }
 
 }  // namespace verge::detect
