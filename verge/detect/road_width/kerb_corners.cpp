@@ -104,7 +104,7 @@ std::optional<FoundCorner> KerbCorners::corner_of(const Opening& opening,
   constexpr double kTurning_m = 1.0;
   constexpr double kSure = 0.95;
   constexpr double kRound = 0.7;
-  constexpr double kSharp_m = 0.2;  // sigma with which one need not wait
+  constexpr double kSharp_m = 0.16;  // sigma with which one need not wait
   const auto first = std::find_if(points.begin(), points.end(), [&](const KerbPoint& p) {
     return p.along_m >= opening.first_m - kBefore_m;
   });

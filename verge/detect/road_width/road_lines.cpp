@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "verge/core/statistics.hpp"
+
 namespace verge::detect::road_width {
 namespace {
 
@@ -18,12 +20,29 @@ std::size_t neighbours_of(const LayerLine& line, const RoadWidthConfig& config) 
   return static_cast<std::size_t>(std::max(1.0, std::round(config.neighbours_rad / line.step_rad)));
 }
 
+/// Mean square of what one point is off along the road, m^2, by how much the points about the middle differ
+/// from the mean of their neighbours. Half of them may be anything.
+double noise_m2(const LayerLine& line) {
+  constexpr std::size_t kAbout = 32;
+  constexpr double kMedianOfSquares = 0.4549;  // of a Gaussian variable of variance 1
+  const std::vector<PicturePoint>& points = line.points;
+  const std::size_t begin = line.middle > kAbout ? line.middle - kAbout : 0;
+  const std::size_t end = std::min(line.middle + kAbout, points.size());
+  std::vector<double> squares;
+  for (std::size_t i = begin + 1; i + 1 < end; ++i) {
+    const double off_m = points[i].y - 0.5 * (points[i - 1].y + points[i + 1].y);
+    squares.push_back(off_m * off_m / 1.5);
+  }
+  return median(squares).value_or(0.0) / kMedianOfSquares;
+}
+
 LineSearch search_of(const LayerLine& line, const RoadWidthConfig& config) {
   LineSearch search{.neighbours = neighbours_of(line, config),
                     .y_thres_m2 = config.y_thres_m2,
                     .x_thres_m2 = config.x_thres_m2,
                     .tangent = line.tangent};
   const bool printed = config.reading == CornerReading::kPaper;
+  if (!printed) search.y_thres_m2 = std::max(config.y_thres_m2, config.noise_factor * noise_m2(line));
   search.refine = !printed;
   search.bridge = printed ? 0 : static_cast<std::size_t>(config.bridge);
   search.obstacle_m = printed ? std::numeric_limits<double>::infinity() : config.obstacle_m;

@@ -42,6 +42,7 @@ struct RoadWidthConfig {
   std::int64_t neighbours = 0;
   double neighbours_rad = 0.06544984694978735;  // 3.75 degrees
   double y_thres_m2 = 0.008;
+  double noise_factor = 2.0;
   double x_thres_m2 = 0.01;
   std::int64_t bridge = 3;
   double obstacle_m = 0.4;
@@ -88,6 +89,10 @@ struct RoadWidthConfig {
            "P1 Step 2; value ours"});
     visit(self.y_thres_m2,
           {"y_thres_m2", "m^2", 1e-6, 1.0, "Y_thres: an edge's msdv_y is greater", "P1 Step 3; value ours"});
+    visit(self.noise_factor, {"noise_factor", "1", 0.0, 100.0,
+                              "and greater than the line's own noise, as a mean square, times this (not as "
+                              "printed)",
+                              "ours"});
     visit(self.x_thres_m2,
           {"x_thres_m2", "m^2", 1e-6, 1.0, "X_thres: an edge's msdv_dx is less", "P1 Step 3; value ours"});
     visit(self.bridge,
