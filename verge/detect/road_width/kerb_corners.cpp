@@ -128,7 +128,8 @@ void KerbCorners::look_for_corner(Watch& watch, const Watch& other, bool left, c
                                   CornerTracks& tracks) const {
   constexpr double kBehind_m = 1.5;
   constexpr double kTurning_m = 2.0;  // before it is seen beyond the kerb, it may have been turning so long
-  fit_kerb(watch, left, here, std::max(here.way_m, watch.clear_from_m + config_.straight_m / 2.0));
+  const double seen_from_m = std::max(watch.clear_from_m, watch.profile.begin_m());
+  fit_kerb(watch, left, here, std::max(here.way_m, seen_from_m + config_.straight_m / 2.0));
   if (!watch.kerb) return;
   const auto look = [&] {
     return watch.profile.against(*watch.kerb, other.kerb ? &*other.kerb : nullptr,

@@ -50,7 +50,8 @@ class KerbProfile {
   /// In any order; kept in that of `along_m`.
   void see(const KerbSight& sight);
   void forget_before(double along_m);
-  void clear() { sights_.clear(); }
+  /// The first place; 0 where nothing was seen.
+  [[nodiscard]] double begin_m() const { return sights_.empty() ? 0.0 : sights_.front().along_m; }
 
   /// The line through the edges between two places, but for those apart from most of them. `heading` is the
   /// road's direction, `left` the side. None where there are fewer than eight, or they

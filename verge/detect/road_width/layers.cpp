@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
+#include <span>
 
+#include "verge/core/angle.hpp"
 #include "verge/core/statistics.hpp"
 #include "verge/detect/road_width/layer_geometry.hpp"
 
@@ -24,17 +27,33 @@ double typical_step_rad(const std::vector<double>& azimuth) {
   return median(steps).value_or(0.0);
 }
 
+/// The ring's points from left to right, beginning straight behind: azimuths fall.
+std::vector<std::size_t> from_left(const Scan& scan, std::size_t ring, double forward_rad) {
+  const auto [begin, end] = scan.ring(ring);
+  const double behind_rad =
+      forward_rad > 0.0 ? forward_rad - std::numbers::pi : forward_rad + std::numbers::pi;
+  const auto azimuths = std::span(scan.azimuth).subspan(begin, end - begin);
+  const auto split =
+      begin + static_cast<std::size_t>(std::upper_bound(azimuths.begin(), azimuths.end(), behind_rad) -
+                                       azimuths.begin());
+  std::vector<std::size_t> order;
+  order.reserve(end - begin);
+  for (std::size_t i = split; i-- > begin;) order.push_back(i);
+  for (std::size_t i = end; i-- > split;) order.push_back(i);
+  return order;
+}
+
 /// None where the ring has no point ahead.
 std::optional<LayerLine> line_of(const Scan& scan, std::size_t ring, const LevelFrame& frame,
                                  const Mount& mount, double side_rad) {
   LayerLine line;
   std::vector<double> azimuth;
-  const auto [begin, end] = scan.ring(ring);
-  line.points.reserve(end - begin);
-  line.level.reserve(end - begin);
-  azimuth.reserve(end - begin);
-  for (std::size_t i = end; i-- > begin;) {  // azimuths fall from left to right
-    const double from_road_rad = double{scan.azimuth[i]} - mount.forward_rad;
+  const std::vector<std::size_t> order = from_left(scan, ring, mount.forward_rad);
+  line.points.reserve(order.size());
+  line.level.reserve(order.size());
+  azimuth.reserve(order.size());
+  for (const std::size_t i : order) {
+    const double from_road_rad = wrap_pi(double{scan.azimuth[i]} - mount.forward_rad);
     if (std::fabs(from_road_rad) > side_rad || !is_usable(scan, i)) continue;
     const Vec3 p = frame.to_level(scan.point(i));
     line.points.push_back({-p.y, p.x});
