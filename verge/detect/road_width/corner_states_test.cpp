@@ -113,4 +113,34 @@ TEST(CornerStates, TakeTheBeginOfAShortHistory) {
   EXPECT_TRUE(states.step({11.5, 5.0}, 8).found);
 }
 
+TEST(CornerStates, SayWhenTheFirstLineLeaves) {
+  std::size_t found = 0;
+  std::size_t left = 0;
+  for (const CornerStep& step : drive_past(0.5, 30.0, 8, {})) {
+    found += step.found ? 1U : 0U;
+    left += step.left ? 1U : 0U;
+    EXPECT_GE(found, left) << "none is left before it is found";
+  }
+  EXPECT_EQ(found, 1U);
+  EXPECT_EQ(left, 1U);
+}
+
+TEST(CornerStates, RestForSoMuchWay) {
+  for (const double rest_m : {0.0, 5.0}) {
+    CornerStates states({.k = 0, .rest_m = rest_m});
+    std::size_t found = 0;
+    const auto drive = [&](double way_m, double first_m) {
+      found += states.step({first_m, 5.0, way_m}, 1).found ? 1U : 0U;
+    };
+    drive(1.0, 5.0);
+    drive(2.0, 8.0);  // a corner
+    drive(3.0, 5.0);
+    drive(4.0, 8.0);  // and another, 2 m on
+    EXPECT_EQ(found, rest_m == 0.0 ? 2U : 1U) << rest_m;
+    drive(7.5, 5.0);
+    drive(8.5, 8.0);
+    EXPECT_EQ(found, rest_m == 0.0 ? 3U : 2U) << rest_m;
+  }
+}
+
 }  // namespace verge::detect::road_width

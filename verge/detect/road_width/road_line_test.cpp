@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "verge/core/angle.hpp"
+#include "verge/core/statistics.hpp"
 #include "verge/detect/road_width/layer_geometry.hpp"
 
 namespace verge::detect::road_width {
@@ -36,6 +39,34 @@ std::vector<PicturePoint> line_between(double left_face_m, double right_face_m) 
 }
 
 constexpr std::size_t kMiddle = 240;
+
+/// The same line with noise of that deviation on its ranges, and every `every`th point alone. On grass, what
+/// it meets is up to 15 cm high.
+std::vector<PicturePoint> noisy(std::vector<PicturePoint> points, double sigma_m, int every, bool grass,
+                                std::mt19937& random) {
+  std::normal_distribution<double> range(0.0, sigma_m);
+  std::uniform_real_distribution<double> blade(0.0, 0.15);
+  std::vector<PicturePoint> some;
+  for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(every)) {
+    const double distance_m = std::sqrt(points[i].x * points[i].x + points[i].y * points[i].y + 1.0);
+    const double nearer = grass ? 1.0 - blade(random) : 1.0;
+    const double stretch = nearer * (1.0 + range(random) / distance_m);
+    some.push_back({stretch * points[i].x, stretch * points[i].y});
+  }
+  return some;
+}
+
+/// Values of a window's measures over many scans, in ascending order.
+struct Measures {
+  std::vector<double> y, dx;
+
+  void add(std::span<const PicturePoint> window) {
+    y.push_back(msdv_y(window));
+    dx.push_back(msdv_dx(window));
+  }
+  [[nodiscard]] double y_at(double percent) const { return percentile(y, percent).value_or(NAN); }
+  [[nodiscard]] double dx_at(double percent) const { return percentile(dx, percent).value_or(NAN); }
+};
 
 LineSearch literal() {
   return {.refine = false, .bridge = 0, .obstacle_m = std::numeric_limits<double>::infinity()};
@@ -82,6 +113,51 @@ TEST(Msdv, IsThePopulationVariance) {
   EXPECT_DOUBLE_EQ(msdv_dx(window), 2.0 / 3.0);  // differences 1, 2, 3
   EXPECT_EQ(msdv_y({}), 0.0);
   EXPECT_EQ(msdv_dx(std::span(window).first(1)), 0.0);
+}
+
+// The statistics behind Y_thres and X_thres, with 2 and 5 cm of noise: windows on the road, windows most of
+// which climbs the kerb, and windows on grass.
+TEST(Msdv, ThresholdsPartRoadKerbAndGrass) {
+  struct Row {
+    int every;  // points of a quarter of a degree
+    std::size_t neighbours;
+    double road_2cm, road_5cm, kerb_low, kerb_median, kerb_dx;
+  };
+  for (const Row& row :
+       {Row{1, 10, 0.0006, 0.0040, 0.006, 0.017, 0.0023}, Row{1, 15, 0.0006, 0.0038, 0.015, 0.033, 0.0019},
+        Row{2, 8, 0.0007, 0.0038, 0.012, 0.033, 0.0027}}) {
+    std::mt19937 random(7);
+    Measures road_2cm, road_5cm, kerb, grass;
+    const auto is_on_face = [](std::span<const PicturePoint> window) {
+      const auto on_face = std::count_if(window.begin(), window.end(), [](const PicturePoint& p) {
+        return std::fabs(p.x - kHalfWidth_m) < 0.06;
+      });
+      return static_cast<double>(on_face) >= 0.7 * static_cast<double>(window.size());
+    };
+    for (int scan = 0; scan < 200; ++scan) {
+      for (const double sigma_m : {0.02, 0.05}) {
+        const auto line = noisy(line_between(kKerb_m, kKerb_m), sigma_m, row.every, false, random);
+        const std::size_t middle = line.size() / 2;
+        const std::span<const PicturePoint> points(line);
+        (sigma_m < 0.03 ? road_2cm : road_5cm).add(points.subspan(middle, row.neighbours));
+        for (std::size_t begin = middle; begin + row.neighbours < line.size(); ++begin) {
+          const auto window = points.subspan(begin, row.neighbours);
+          if (is_on_face(window)) kerb.add(window);
+        }
+      }
+      const auto line = noisy(line_between(0.0, 0.0), 0.03, row.every, true, random);
+      grass.add(std::span<const PicturePoint>(line).subspan(line.size() * 3 / 4, row.neighbours));
+    }
+    EXPECT_NEAR(road_2cm.y_at(95.0), row.road_2cm, 0.0003);
+    EXPECT_NEAR(road_5cm.y_at(95.0), row.road_5cm, 0.001);
+    EXPECT_GT(kerb.y_at(5.0), 0.7 * row.kerb_low);
+    EXPECT_NEAR(kerb.y_at(50.0), row.kerb_median, 0.2 * row.kerb_median);
+    EXPECT_LT(kerb.dx_at(95.0), 1.2 * row.kerb_dx);
+    EXPECT_LT(road_5cm.y_at(95.0), LineSearch{}.y_thres_m2);
+    EXPECT_LT(kerb.dx_at(95.0), LineSearch{}.x_thres_m2);
+    EXPECT_GT(grass.y_at(5.0), LineSearch{}.y_thres_m2) << "grass is no road";
+    EXPECT_GT(grass.dx_at(50.0), LineSearch{}.x_thres_m2) << "nor an edge";
+  }
 }
 
 TEST(RoadLine, EndsAtTheKerbs) {
