@@ -21,11 +21,11 @@ void CornerTracks::add(const FoundCorner& found) {
   tracks_.push_back({corner, found});
 }
 
-void CornerTracks::leave(CornerSide side, double exit_m) {
+void CornerTracks::leave(CornerSide side, double exit_m, double radius_m) {
   for (Track& track : std::views::reverse(tracks_)) {
     if (track.corner.side != side || track.exit_m) continue;
     track.exit_m = std::max(exit_m, track.found.at_m);
-    track.corner.width_m = std::max(0.0, *track.exit_m - track.found.at_m - 2.0 * track.found.radius_m);
+    track.corner.width_m = std::max(0.0, *track.exit_m - track.found.at_m - 2.0 * radius_m);
     return;
   }
 }

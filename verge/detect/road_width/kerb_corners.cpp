@@ -6,12 +6,11 @@
 #include <cmath>
 #include <cstddef>
 
-#include "verge/detect/road_width/kerb_return.hpp"
-
 namespace verge::detect::road_width {
 namespace {
 
 constexpr double kLongest_m = 30.0;  // of an opening
+constexpr double kBefore_m = 2.5;    // of straight kerb that is looked at with it
 
 /// Index of the outermost point of the line that is not beyond `reach_m` to that side.
 std::size_t outermost(const LayerLine& line, std::size_t edge, double reach_m, bool left) {
@@ -96,21 +95,26 @@ void KerbCorners::fit_kerb(Watch& watch, bool left, const Whereabouts& here, dou
   if (auto kerb = watch.profile.straight(from_m, to_m, here.course, left)) watch.kerb = kerb;
 }
 
+std::optional<KerbReturn> KerbCorners::turn_at(const std::vector<KerbPoint>& points, double first_m,
+                                               const StraightKerb& kerb) const {
+  constexpr double kLeastSigma_m = 0.03;  // of a point; kerbs are not exactly straight or round
+  constexpr double kBehind_m = 4.0;       // beyond lies the other corner of a narrow side road
+  const auto begin = std::find_if(points.begin(), points.end(),
+                                  [&](const KerbPoint& p) { return p.along_m >= first_m - kBefore_m; });
+  const auto end =
+      std::find_if(begin, points.end(), [&](const KerbPoint& p) { return p.along_m > first_m + kBehind_m; });
+  return fit_kerb_return({begin, end}, first_m, std::max(kerb.sigma_m, kLeastSigma_m),
+                         {config_.wide_return_m, config_.widest_return_m});
+}
+
 std::optional<FoundCorner> KerbCorners::corner_of(const Opening& opening,
                                                   const std::vector<KerbPoint>& points,
                                                   const StraightKerb& kerb, const Whereabouts& here) const {
-  constexpr double kLeastSigma_m = 0.03;  // of a point; kerbs are not exactly straight or round
-  constexpr double kBefore_m = 2.5;
   constexpr double kTurning_m = 1.0;
   constexpr double kSure = 0.95;
   constexpr double kRound = 0.7;
   constexpr double kSharp_m = 0.16;  // sigma with which one need not wait
-  const auto first = std::find_if(points.begin(), points.end(), [&](const KerbPoint& p) {
-    return p.along_m >= opening.first_m - kBefore_m;
-  });
-  const auto turn =
-      fit_kerb_return({first, points.end()}, opening.first_m, std::max(kerb.sigma_m, kLeastSigma_m),
-                      {config_.wide_return_m, config_.widest_return_m});
+  const auto turn = turn_at(points, opening.first_m, kerb);
   if (!turn) return std::nullopt;
   const double length = opening.last_m - opening.first_m;
   const bool is_long = length >= config_.opening_m && opening.depth_m >= config_.bay_m;
@@ -148,17 +152,25 @@ void KerbCorners::look_for_corner(Watch& watch, const Watch& other, bool left, c
   corner->side = left ? CornerSide::kLeft : CornerSide::kRight;
   corner->place = fit::point_at(watch.kerb->line, fit::station(watch.kerb->line, ahead));
   tracks.add(*corner);
-  watch.in_corner_m = corner->at_m;
+  watch.in_corner = corner;
 }
 
-void KerbCorners::look_for_exit(Watch& watch, const Watch& other, bool left, const Whereabouts& here,
+void KerbCorners::look_for_exit(Watch& watch, const Watch& other, const Whereabouts& here,
                                 CornerTracks& tracks) const {
-  const double from_m = *watch.in_corner_m;
-  const auto points = watch.profile.against(*watch.kerb, other.kerb ? &*other.kerb : nullptr, from_m);
-  const auto exit_m = end_of_opening(points, from_m + config_.opening_m / 2.0, widened_m(*watch.kerb));
-  if (exit_m) tracks.leave(left ? CornerSide::kLeft : CornerSide::kRight, *exit_m);
-  if (!exit_m && here.way_m - from_m < kLongest_m) return;
-  watch.in_corner_m.reset();
+  const double from_m = watch.in_corner->at_m;
+  const double beyond_m = widened_m(*watch.kerb);
+  const auto points =
+      watch.profile.against(*watch.kerb, other.kerb ? &*other.kerb : nullptr, from_m - kBefore_m);
+  const auto exit_m = end_of_opening(points, from_m + config_.opening_m / 2.0, beyond_m);
+  if (exit_m) {
+    const auto turn = turn_at(points, from_m, *watch.kerb);  // by now all of it has been seen
+    const double radius_m = turn ? turn->radius_m : watch.in_corner->radius_m;
+    const double to_go_m = std::sqrt(2.0 * radius_m * beyond_m);  // of the other corner's circle
+    tracks.leave(watch.in_corner->side, *exit_m + to_go_m, radius_m);
+  } else if (here.way_m - from_m < kLongest_m) {
+    return;
+  }
+  watch.in_corner.reset();
   watch.clear_from_m = exit_m.value_or(here.way_m);
 }
 
@@ -169,8 +181,8 @@ void KerbCorners::see(const std::vector<Road>& roads, const Whereabouts& here, C
     const Watch& other = watches_.at(1 - side);
     const bool left = side == 0;
     watch.profile.forget_before(here.way_m - kLongest_m);
-    if (watch.in_corner_m) {
-      look_for_exit(watch, other, left, here, tracks);
+    if (watch.in_corner) {
+      look_for_exit(watch, other, here, tracks);
     } else {
       look_for_corner(watch, other, left, here, tracks);
     }

@@ -10,6 +10,7 @@
 #include "verge/core/vec.hpp"
 #include "verge/detect/road_width/corner_tracks.hpp"
 #include "verge/detect/road_width/kerb_profile.hpp"
+#include "verge/detect/road_width/kerb_return.hpp"
 #include "verge/detect/road_width/opening.hpp"
 #include "verge/detect/road_width/road_lines.hpp"
 #include "verge/detect/road_width/road_width.hpp"
@@ -39,18 +40,19 @@ class KerbCorners {
   /// One side of the road.
   struct Watch {
     KerbProfile profile{};
-    std::optional<StraightKerb> kerb{};   // as of the last scan
-    double clear_from_m = 0.0;            // the kerb before says nothing of the one to come
-    std::optional<double> in_corner_m{};  // the entrance of a corner that was found and is not left yet
+    std::optional<StraightKerb> kerb{};      // as of the last scan
+    double clear_from_m = 0.0;               // the kerb before says nothing of the one to come
+    std::optional<FoundCorner> in_corner{};  // the entrance of a corner that was found and is not left yet
   };
 
   void add_sights(const std::vector<Road>& roads, const Whereabouts& here);
   void fit_kerb(Watch& watch, bool left, const Whereabouts& here, double to_m) const;
   void look_for_corner(Watch& watch, const Watch& other, bool left, const Whereabouts& here,
                        CornerTracks& tracks) const;
-  void look_for_exit(Watch& watch, const Watch& other, bool left, const Whereabouts& here,
-                     CornerTracks& tracks) const;
+  void look_for_exit(Watch& watch, const Watch& other, const Whereabouts& here, CornerTracks& tracks) const;
   [[nodiscard]] double widened_m(const StraightKerb& kerb) const;
+  [[nodiscard]] std::optional<KerbReturn> turn_at(const std::vector<KerbPoint>& points, double first_m,
+                                                  const StraightKerb& kerb) const;
   [[nodiscard]] std::optional<FoundCorner> corner_of(const Opening& opening,
                                                      const std::vector<KerbPoint>& points,
                                                      const StraightKerb& kerb, const Whereabouts& here) const;

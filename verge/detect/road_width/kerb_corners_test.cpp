@@ -164,6 +164,21 @@ TEST(KerbProfile, ACarBesideTheKerbStandsOnIt) {
   EXPECT_NEAR(points[2].outward_m, 1.5, 0.05);  // beyond where cars stand
 }
 
+TEST(KerbProfile, AnOpenLineGoesOn) {
+  KerbProfile profile = straight_to(8.0, 2.5);
+  const auto kerb = profile.straight(0.0, 8.0, {1.0, 0.0}, true);
+  ASSERT_TRUE(kerb);
+  for (const double lateral_m : {2.0, 3.4}) {
+    KerbSight open = edge_at(10.0, lateral_m);
+    open.kind = SightKind::kOpen;
+    profile.see(open);
+  }
+  const auto points = profile.against(*kerb, nullptr, 9.0);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(points[0].outward_m, -0.5, 0.05) << "the field of view ends before the kerb";
+  EXPECT_EQ(points[1].outward_m, 4.0);
+}
+
 TEST(CornerTracks, GoByUntilTheirExitIsPassed) {
   CornerTracks tracks;
   tracks.add({.side = CornerSide::kLeft, .at_m = 10.0, .lateral_m = 2.5, .sigma_m = 0.1, .radius_m = 0.5});
@@ -172,8 +187,8 @@ TEST(CornerTracks, GoByUntilTheirExitIsPassed) {
   EXPECT_EQ(ahead[0].distance_m, 2.0);
   EXPECT_EQ(ahead[0].position, (Vec2{2.0, 2.5}));
   EXPECT_FALSE(ahead[0].exit_m);
-  tracks.leave(CornerSide::kRight, 14.0);  // none there
-  tracks.leave(CornerSide::kLeft, 15.0);
+  tracks.leave(CornerSide::kRight, 14.0, 0.5);  // none there
+  tracks.leave(CornerSide::kLeft, 15.0, 0.5);
   const auto within = tracks.at(11.0, std::nullopt);
   ASSERT_EQ(within.size(), 1U);
   EXPECT_EQ(within[0].id, ahead[0].id);

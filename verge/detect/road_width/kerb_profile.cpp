@@ -76,12 +76,16 @@ std::optional<StraightKerb> KerbProfile::straight(double from_m, double to_m, Ve
 std::vector<KerbPoint> KerbProfile::against(const StraightKerb& kerb, const StraightKerb* other,
                                             double from_m) const {
   constexpr double kSetback_m = 0.6;
+  constexpr double kOpen_m = 4.0;
   std::vector<KerbPoint> points;
   for (auto it = std::lower_bound(sights_.begin(), sights_.end(), from_m, is_before); it != sights_.end();
        ++it) {
     const double outward_m = kerb.outward_m(it->end) - bend_m(*it, other);
     const bool on_kerb = it->kind == SightKind::kThing && outward_m < kSetback_m;
-    points.push_back({it->along_m, on_kerb ? std::min(outward_m, 0.0) : outward_m});
+    const bool seen_through = it->kind == SightKind::kOpen && outward_m > 0.0;
+    points.push_back({it->along_m, on_kerb        ? std::min(outward_m, 0.0)
+                                   : seen_through ? std::max(outward_m, kOpen_m)
+                                                  : outward_m});
   }
   return points;
 }

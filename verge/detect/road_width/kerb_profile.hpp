@@ -59,8 +59,9 @@ class KerbProfile {
   [[nodiscard]] std::optional<StraightKerb> straight(double from_m, double to_m, Vec2 heading,
                                                      bool left) const;
   /// All sights from a place on against a straight kerb; a thing less than 0.6 m behind it, as cars park,
-  /// stands on it. `other`, the other side's one where it is known,
-  /// tells a bend of the road, in which one side moves in as the other moves out.
+  /// stands on it, and an open line goes on for 4 m at the least, however narrow the field of view. `other`,
+  /// the other side's one where it is known, tells a bend of the road, in which one side moves in as the
+  /// other moves out.
   [[nodiscard]] std::vector<KerbPoint> against(const StraightKerb& kerb, const StraightKerb* other,
                                                double from_m) const;
 

@@ -134,7 +134,7 @@ WidthStep WidthCorners::see(const std::vector<Road>& roads, double way_m, std::o
   if (in_corner_ && !was_in_corner) add_corner(first, way_m, step_m.value_or(0.0), tracks);
   if (left || (was_in_corner && !in_corner_)) {
     for (const CornerSide side : {CornerSide::kLeft, CornerSide::kRight})
-      tracks.leave(side, way_m + first.ahead_m);
+      tracks.leave(side, way_m + first.ahead_m, 0.0);
   }
   return done;
 }
