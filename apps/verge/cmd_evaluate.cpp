@@ -9,6 +9,7 @@
 
 #include "apps/verge/commands.hpp"
 #include "apps/verge/console.hpp"
+#include "apps/verge/evaluate_ground.hpp"
 #include "apps/verge/evaluate_labels.hpp"
 #include "apps/verge/evaluate_request.hpp"
 #include "apps/verge/evaluate_suite.hpp"
@@ -16,6 +17,7 @@
 #include "apps/verge/number_range.hpp"
 #include "apps/verge/options.hpp"
 #include "verge/core/atomic_file.hpp"
+#include "verge/core/field_io.hpp"
 #include "verge/study/suite.hpp"
 
 namespace verge::app {
@@ -27,6 +29,9 @@ constexpr const char* kExamples =
     "  verge evaluate found.jsonl --truth truth.jsonl --json -     # the same for programs, scan by scan\n"
     "  verge evaluate --predictions other.jsonl --labels nuscenes  # any program against labelled scans\n"
     "  verge evaluate found.jsonl --labels sequences/00 --tolerance 0.1,0.3 --per-frame --csv figures.csv\n"
+    "  verge evaluate --ground --labels sequences/00               # how well the road's plane tells the "
+    "ground\n"
+    "  verge evaluate predictions --ground --labels sequences/00   # and the label files of any program\n"
     "  verge evaluate --suite degradation -o degradation          # drives, table and "
     "degradation/report.html\n"
     "  verge evaluate --suite paper3 --drives 2 --scans 5 --method gradient --method "
@@ -44,6 +49,7 @@ std::optional<std::string> nonsense_in(const EvaluateRequest& request) {
   if (is_standard_output(request.json) && is_standard_output(request.csv))
     return "--json and --csv cannot both be standard output";
   if (request.suite) return std::nullopt;
+  if (request.ground) return std::nullopt;
   if (request.predictions.empty()) return "no predictions: name a file of JSON lines";
   if (!request.truth && !request.labels)
     return "nothing to compare with: give --truth FILE, --labels FOLDER or --suite NAME";
@@ -57,7 +63,9 @@ ExitCode evaluate(const EvaluateRequest& request) {
     return ExitCode::kUsage;
   }
   if (request.suite) return evaluate_suite(request, console);
-  const auto output = request.labels ? evaluate_labels(request, console) : evaluate_truth(request, console);
+  const auto output = request.ground   ? evaluate_ground(request, console)
+                      : request.labels ? evaluate_labels(request, console)
+                                       : evaluate_truth(request, console);
   if (output) return hand_out(request, *output, console);
   console.error(output.error());
   return exit_code_of(output.error().code);
@@ -65,7 +73,8 @@ ExitCode evaluate(const EvaluateRequest& request) {
 
 void add_sources(CLI::App& verb, EvaluateRequest& request) {
   auto* positional =
-      verb.add_option("PREDICTIONS", request.predictions, "JSON lines of any program; - is standard input");
+      verb.add_option("PREDICTIONS", request.predictions,
+                      "JSON lines of any program; - is standard input (of --ground: a folder)");
   verb.add_option("--predictions", request.predictions, "the same")->type_name("FILE")->excludes(positional);
   auto* truth = verb.add_option("--truth", request.truth, "JSON lines of what is true; frames go by name");
   truth->type_name("FILE");
@@ -75,6 +84,23 @@ void add_sources(CLI::App& verb, EvaluateRequest& request) {
           "truth.csv")
       ->type_name("FOLDER")
       ->excludes(truth);
+}
+
+/// After the options that do not go with it.
+void add_ground(CLI::App& verb, EvaluateRequest& request) {
+  auto* ground =
+      verb.add_flag("--ground", request.ground,
+                    "of labels: score which points are ground, by a folder of label files "
+                    "(NAME_lidarseg.bin, NAME.label) or, without PREDICTIONS, by the road's plane");
+  ground->needs(verb.get_option("--labels"));
+  for (const char* option : {"--tolerance", "--gap", "--any-side"}) ground->excludes(verb.get_option(option));
+  const FieldRow tolerance = field_rows(request.plane).front();
+  verb.add_option("--plane-tolerance", request.plane.tolerance_m,
+                  fmt::format("of --ground: {}", tolerance.info.meaning))
+      ->type_name("M")
+      ->capture_default_str()
+      ->needs(ground)
+      ->check(finite_range(tolerance.info.min, tolerance.info.max));
 }
 
 std::string suite_help() {
@@ -134,9 +160,9 @@ void add_evaluate(CLI::App& program, Action& action) {
   const auto request = std::make_shared<EvaluateRequest>();
   add_sources(*verb, *request);
   add_suite(*verb, *request);
-  verb->add_option("--range", request->range_m, "compare within this distance of the sensor")
+  verb->add_option("--range", request->range_m,
+                   "compare within this distance of the sensor (default: 20; of --ground: no limit)")
       ->type_name("M")
-      ->capture_default_str()
       ->check(finite_range(0.1, 1000.0));
   verb->add_option("--tolerance", request->tolerance_m,
                    "what counts as right and as found, one or several (default: those of the protocol)")
@@ -150,6 +176,7 @@ void add_evaluate(CLI::App& program, Action& action) {
       ->check(finite_range(0.001, 3.0));
   verb->add_flag("--any-side", request->any_side,
                  "compare left with right as well: the place counts, not the name of the side");
+  add_ground(*verb, *request);
   verb->add_flag("--per-frame", request->per_frame, "also a row for each scan");
   verb->add_option("--json", request->json, "figures and counts, scan by scan; - instead of the tables")
       ->type_name("FILE");

@@ -20,7 +20,7 @@ namespace {
 
 eval::LabelScoreConfig config_of(const EvaluateRequest& request) {
   eval::LabelScoreConfig config;
-  config.range_m = request.range_m;
+  if (request.range_m) config.range_m = *request.range_m;
   if (!request.tolerance_m.empty()) config.tolerance_m = request.tolerance_m;
   return config;
 }

@@ -9,14 +9,17 @@
 #include <vector>
 
 #include "apps/verge/console.hpp"
+#include "verge/eval/ground_plane.hpp"
 
 namespace verge::app {
 
 /// What `verge evaluate` is asked to do.
 struct EvaluateRequest {
-  std::string predictions;            ///< JSON lines; "-" is standard input.
+  std::string predictions;            ///< JSON lines; "-" is standard input. Of ground: a folder of labels.
   std::optional<std::string> truth;   ///< JSON lines of Scenes; or
   std::optional<std::string> labels;  ///< a folder of labelled scans.
+  bool ground = false;                ///< Of labels: which points are ground, not boundaries.
+  eval::GroundPlaneConfig plane;      ///< Of ground without predictions.
   std::optional<std::string> suite;   ///< Or a suite, with what follows.
   std::optional<std::filesystem::path> folder;
   std::vector<std::string> methods;  ///< Empty: all that there are.
@@ -25,7 +28,7 @@ struct EvaluateRequest {
   std::optional<std::filesystem::path> data;  ///< Where the labelled sets lie; none: $VERGE_DATA.
   std::size_t jobs = 0;                       ///< 0: as many as the machine can.
   bool no_times = false;
-  double range_m = 20.0;
+  std::optional<double> range_m;    ///< None: 20 m for boundaries, no limit for ground.
   std::vector<double> tolerance_m;  ///< Empty: those of the protocol.
   double gap_m = 0.6;  ///< Of labels: widest gap between two returns with the boundary in between.
   bool any_side = false;

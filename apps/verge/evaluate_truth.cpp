@@ -22,13 +22,13 @@ double headline_of(const std::vector<double>& list, double preferred) {
 
 eval::SceneEvaluationConfig config_of(const EvaluateRequest& request) {
   eval::SceneEvaluationConfig config;
-  config.range_m = request.range_m;
+  if (request.range_m) config.range_m = *request.range_m;
   config.any_side = request.any_side;
   if (!request.tolerance_m.empty()) config.tolerances_m = request.tolerance_m;
   config.tolerance_m = headline_of(config.tolerances_m, config.tolerance_m);
   std::vector<double>& ranges = config.ranges_m;
-  if (std::find(ranges.begin(), ranges.end(), request.range_m) == ranges.end())
-    ranges.push_back(request.range_m);
+  if (std::find(ranges.begin(), ranges.end(), config.range_m) == ranges.end())
+    ranges.push_back(config.range_m);
   std::sort(ranges.begin(), ranges.end());
   return config;
 }
@@ -70,8 +70,9 @@ Expected<EvaluationOutput> evaluate_truth(const EvaluateRequest& request, Consol
   TruthEvaluation evaluation = compare(*predictions, *truth, config_of(request));
   if (evaluation.all.absent == evaluation.all.scans)
     return Unexpected(no_frame_matches(request.predictions, *predictions, frames_of(*truth)));
-  const eval::BoundaryErrorConfig errors{
-      .range_m = request.range_m, .tolerance_m = evaluation.config.tolerance_m, .any_side = request.any_side};
+  const eval::BoundaryErrorConfig errors{.range_m = evaluation.config.range_m,
+                                         .tolerance_m = evaluation.config.tolerance_m,
+                                         .any_side = request.any_side};
   auto comparison = eval::compare_all(predictions->scenes, truth->scenes, errors);
   if (!comparison) return Unexpected(std::move(comparison).error());
   evaluation.errors = *std::move(comparison);

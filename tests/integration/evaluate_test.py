@@ -202,5 +202,87 @@ class EvaluateLabels(CliTest):
         self.check_refused(run("evaluate", self.write("good.jsonl", scene("a")), "--labels", bad), 4, "truth.csv:2:")
 
 
+class EvaluateGround(CliTest):
+    """Which points are ground, against labels of nuScenes lidarseg."""
+
+    def setUp(self):
+        super().setUp()
+        self.points = len(self.scan) // 20
+        self.recording(2, "set/LIDAR_TOP")
+        self.truth = bytes([24] * (self.points - 300) + [17] * 200 + [0] * 100)  # road, cars, noise
+        for name in ("000000", "000001"):
+            self.write(f"set/lidarseg/{name}_lidarseg.bin", self.truth)
+
+    def evaluate(self, *arguments):
+        return run("evaluate", "--ground", "--labels", self.folder / "set", *arguments)
+
+    def figures(self, *arguments):
+        result = self.evaluate("--json", "-", *arguments)
+        self.check_ok(result)
+        return json.loads(result.stdout)
+
+    def test_the_labels_of_any_program_are_scored(self):
+        self.write("other/000000_lidarseg.bin", bytes([24] * 100) + self.truth[100:-150] + bytes([26] * 150))
+        self.write("other/stray_lidarseg.bin", b"")
+        result = self.evaluate(self.folder / "other", "--json", self.folder / "g.json", "--csv", self.folder / "g.csv",
+                               "--per-frame")
+        self.check_ok(result)
+        self.assertIn("1 of 2 predicted label files", result.stderr.decode())
+        self.assertIn("2 scans (1 without a prediction)", result.stdout.decode())
+        figures = json.loads((self.folder / "g.json").read_text())
+        ground = self.points - 300
+        for name in ("patchwork", "patchwork++"):
+            counts = figures["protocols"][name]
+            self.assertEqual([counts[key] for key in ("true_ground", "false_ground", "missed_ground", "true_other")],
+                             [ground, 50, ground, 350])
+            self.assertAlmostEqual(counts["macro_precision"], ground / (ground + 50), delta=1e-6)
+            self.assertEqual((counts["recall"], counts["macro_recall"]), (0.5, 0.5))
+        self.assertIsNone(figures["height"]["rmse_m"])
+        self.assertEqual([frame["predicted"] for frame in figures["frames"]], [True, False])
+        with (self.folder / "g.csv").open(newline="") as table:
+            rows = list(csv.DictReader(table))
+        self.assertEqual([(row["scope"], row["protocol"]) for row in rows[:2]],
+                         [("all", "patchwork++"), ("all", "patchwork")])
+        self.assertEqual((len(rows), rows[0]["recall"], rows[-1]["precision"]), (6, "0.500000", ""))
+
+    def test_without_predictions_the_plane_of_the_road_is_scored(self):
+        figures = self.figures()
+        self.assertEqual((figures["plane_tolerance_m"], figures["range_m"]), (0.3, None))
+        self.assertGreater(figures["protocols"]["patchwork++"]["recall"], 0.99)
+        self.assertLess(figures["height"]["rmse_m"], 0.12)
+        near = self.figures("--plane-tolerance", "0.06", "--range", "15")
+        self.assertLess(near["protocols"]["patchwork++"]["recall"], 0.9)
+        self.assertLess(near["height"]["points"], figures["height"]["points"])
+
+    def test_the_labels_of_a_simulated_drive_are_the_truth(self):
+        self.check_ok(run("simulate", "street", "-o", self.folder / "sim", "--scans", "1", "--noise-m", "0"))
+        result = run("evaluate", "--ground", "--labels", self.folder / "sim", "--json", "-")
+        self.check_ok(result)
+        self.assertGreater(json.loads(result.stdout)["protocols"]["patchwork++"]["f1"], 0.9)
+
+    def test_what_cannot_be_used(self):
+        self.check_refused(self.evaluate(self.folder / "none"), 3, "none")
+        self.check_refused(self.evaluate(self.write("a.label", "")), 3, "a.label")
+        self.check_refused(self.evaluate(self.write("empty/a.txt", "").parent), 4, "has no labels")
+        self.check_refused(self.evaluate(self.write("else/a.label", "").parent), 4, "no labels of these scans",
+                           "000000_lidarseg.bin")
+        cut = self.write("cut/000000_lidarseg.bin", self.truth[:-1]).parent
+        self.check_refused(self.evaluate(cut), 4, f"000000_lidarseg.bin:{self.points - 1}:", f"need {self.points} B")
+        self.write("twice/a/000000_lidarseg.bin", self.truth)
+        self.write("twice/b/000000_lidarseg.bin", self.truth)
+        self.check_refused(self.evaluate(self.folder / "twice"), 2, "more than one folder")
+        self.check_refused(run("evaluate", "--ground", "--labels", self.write("t/truth.csv",
+                               "frame,side,x,y,z\na,left,1,2,0\n").parent), 4, "do not say what is ground")
+
+    def test_requests_that_make_no_sense(self):
+        folder = self.folder / "set"
+        for arguments in (("--ground",), ("--ground", "--truth", folder), ("--labels", folder, "--plane-tolerance", "1"),
+                          ("--ground", "--labels", folder, "--plane-tolerance", "0"),
+                          ("--ground", "--labels", folder, "--tolerance", "0.3"),
+                          ("--ground", "--labels", folder, "--suite", "real")):
+            with self.subTest(arguments=arguments):
+                self.check_refused(run("evaluate", *arguments), 2)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -8,16 +8,9 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <string>
 
-#include <fmt/core.h>
-
-#include "verge/core/bytes.hpp"
 #include "verge/eval/kerb_tables.hpp"
-#include "verge/io/file/kitti.hpp"
-#include "verge/io/file/nuscenes.hpp"
-#include "verge/io/file/pcd.hpp"
-#include "verge/io/input.hpp"
+#include "verge/eval/label_files.hpp"
 
 namespace verge::eval {
 namespace {
@@ -27,40 +20,6 @@ namespace fs = std::filesystem;
 Vec3 point_of(const Cloud& cloud, std::size_t i) { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
 
 bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-/// Unsigned numbers of sizeof(T) bytes, little-endian, one behind the other.
-template <class T>
-Expected<std::vector<std::uint32_t>> read_labels(const fs::path& path, std::size_t points) {
-  auto input = io::Input::open(path, {});
-  if (!input) return Unexpected(input.error());
-  if (input->size() != points * sizeof(T)) {
-    return Unexpected(
-        input->error_at(ErrorCode::kUnusable, std::min<std::uint64_t>(input->size(), points * sizeof(T)),
-                        "labels are not as many as the scan's points", fmt::format("{} B", input->size()),
-                        fmt::format("{} B", points * sizeof(T))));
-  }
-  const auto bytes = input->read(0, input->size());
-  if (!bytes) return Unexpected(bytes.error());
-  std::vector<std::uint32_t> labels(points);
-  for (std::size_t i = 0; i < points; ++i) labels[i] = load_le<T>(*bytes, i * sizeof(T));
-  return labels;
-}
-
-struct LabelledCloud {
-  Cloud cloud;
-  std::vector<std::uint32_t> labels;
-};
-
-template <class T, class Read>
-Expected<LabelledCloud> read_both(const fs::path& scan, const fs::path& label_file, Read&& read) {
-  auto input = io::Input::open(scan, {});
-  if (!input) return Unexpected(input.error());
-  auto decoded = read(*input);
-  if (!decoded) return Unexpected(std::move(decoded).error());
-  auto labels = read_labels<T>(label_file, decoded->cloud.x.size());
-  if (!labels) return Unexpected(std::move(labels).error());
-  return LabelledCloud{std::move(decoded->cloud), *std::move(labels)};
-}
 
 /// Azimuth from straight ahead, counter-clockwise, in [0, 2 pi).
 double turn_of(Vec3 p) {
@@ -110,22 +69,20 @@ std::vector<LabelledRing> rings_by_order(const Cloud& cloud, std::span<const std
 }
 
 Expected<LabelledTruth> read_nuscenes_truth(const fs::path& scan, const fs::path& labels, double gap_m) {
-  const auto both = read_both<std::uint8_t>(scan, labels, io::read_nuscenes);
+  const auto both = read_labelled_cloud(LabelFormat::kNuscenes, scan, labels);
   if (!both) return Unexpected(both.error());
   return find_label_edges(rings_by_number(both->cloud, both->labels), LabelScheme::kNuscenes, gap_m);
 }
 
 Expected<LabelledTruth> read_kitti_truth(const fs::path& scan, const fs::path& labels, double gap_m) {
-  constexpr std::uint32_t kClass = 0xFFFFU;  // above it stands the instance
-  auto both = read_both<std::uint32_t>(scan, labels, io::read_kitti);
-  if (!both) return Unexpected(std::move(both).error());
-  for (std::uint32_t& label : both->labels) label &= kClass;
+  const auto both = read_labelled_cloud(LabelFormat::kSemanticKitti, scan, labels);
+  if (!both) return Unexpected(both.error());
   return find_label_edges(rings_by_order(both->cloud, both->labels), LabelScheme::kSemanticKitti, gap_m);
 }
 
 Expected<LabelledTruth> read_kerb_label_truth(const fs::path& scan, const fs::path& labels) {
   constexpr std::uint32_t kKerb = 1;
-  const auto both = read_both<std::uint8_t>(scan, labels, io::read_pcd);
+  const auto both = read_labelled_cloud(LabelFormat::kKerbLabels, scan, labels);
   if (!both) return Unexpected(both.error());
   std::vector<Vec2> kerb;
   for (std::size_t i = 0; i < both->labels.size(); ++i) {

@@ -14,12 +14,24 @@ enum class Surface : std::uint8_t {
   kEither     ///< Parking: raised or not.
 };
 
+/// What a labelled class is to someone who tells the ground from what stands on it.
+enum class GroundClass : std::uint8_t {
+  kOther,
+  kGround,
+  kVegetation,  ///< Of unsaid height: lawn or tree.
+  kUnlabelled   ///< Without a class, or of no thing (noise, outlier).
+};
+
 /// Which data set's class numbers labels are.
 enum class LabelScheme : std::uint8_t { kNuscenes, kSemanticKitti };
 
 [[nodiscard]] Surface surface_of(LabelScheme scheme, std::uint32_t label);
 
-/// Whether the class lies on the ground (drivable or not).
+/// Terrain and what people walk and drive on is ground, kerbs too.
+[[nodiscard]] GroundClass ground_class_of(LabelScheme scheme, std::uint32_t label);
+
+/// Whether the class lies on the ground (drivable or not) so that a boundary could be seen beside it;
+/// nuScenes' vegetation, which some make of terrain, does.
 [[nodiscard]] bool is_ground(LabelScheme scheme, std::uint32_t label);
 
 }  // namespace verge::eval

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "verge/eval/files_below.hpp"
 #include "verge/eval/kerb_tables.hpp"
 #include "verge/eval/label_rings.hpp"
 #include "verge/io/sniff.hpp"
@@ -17,24 +18,6 @@
 namespace verge::eval {
 namespace fs = std::filesystem;
 namespace {
-
-Error cannot_open(const fs::path& path, const std::error_code& error) {
-  return {ErrorCode::kCannotOpen, path.string(), {}, fmt::format("cannot open: {}", error.message()), {}, {}};
-}
-
-/// All files in and below a folder, in order of their paths.
-Expected<std::vector<fs::path>> files_below(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    std::error_code ignored;
-    if (entry->is_regular_file(ignored)) files.push_back(entry->path());
-  }
-  if (error) return Unexpected(cannot_open(folder, error));
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 /// What the labels beside a scan's file would be called.
 fs::path nuscenes_labels(const fs::path& scan) {
