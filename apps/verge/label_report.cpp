@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/verge/label_report.hpp"
 
-#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/verge/csv_text.hpp"
+#include "apps/verge/metric_report.hpp"
 #include "verge/core/error.hpp"
 
 namespace verge::app {
@@ -36,20 +36,16 @@ std::string frame_rows(const LabelEvaluation& evaluation) {
   return text + '\n';
 }
 
-double to_millionth(double value) { return std::round(value * 1e6) / 1e6; }
-
 ordered_json tolerance_json(const eval::LabelScore& score, const eval::ToleranceScore& at) {
   const eval::LabelFigures figures = eval::figures_of(score, at);
-  ordered_json kerb_recall = nullptr;
-  if (figures.kerb_recall) kerb_recall = to_millionth(*figures.kerb_recall);
   return {{"tolerance_m", at.tolerance_m},
-          {"precision", to_millionth(figures.precision)},
-          {"recall", to_millionth(figures.recall)},
-          {"f1", to_millionth(figures.f1)},
-          {"macro_f1", to_millionth(figures.macro_f1)},
-          {"kerb_recall", kerb_recall},
-          {"rmse_m", to_millionth(figures.rmse_m)},
-          {"judged_share", to_millionth(figures.judged)},
+          {"precision", figure(figures.precision)},
+          {"recall", figure(figures.recall)},
+          {"f1", figure(figures.f1)},
+          {"macro_f1", figure(figures.macro_f1)},
+          {"kerb_recall", figure(figures.kerb_recall)},
+          {"rmse_m", figure(figures.rmse_m)},
+          {"judged_share", figure(figures.judged)},
           {"found", at.found},
           {"found_kerbs", at.found_kerbs},
           {"judged", at.judged},

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/verge/metric_report.hpp"
 
-#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +9,7 @@
 
 #include "verge/core/angle.hpp"
 #include "verge/core/statistics.hpp"
+#include "verge/study/figures_json.hpp"
 
 namespace verge::app {
 namespace {
@@ -135,46 +135,12 @@ std::string object_lines(const eval::ObjectScore& objects) {
   return text + line("", "F1 by class:" + classes);
 }
 
-ordered_json counts_json(const eval::ToleranceCounts& counts) {
-  return {{"predicted", counts.predicted},
-          {"right", counts.right},
-          {"visible", counts.visible},
-          {"found_visible", counts.found_visible},
-          {"occluded", counts.occluded},
-          {"found_occluded", counts.found_occluded},
-          {"precision", figure(counts.precision())},
-          {"recall", figure(counts.recall())},
-          {"occluded_recall", figure(counts.occluded_recall())},
-          {"f1", figure(counts.f1())}};
-}
-
-ordered_json cells_json(const std::vector<eval::ToleranceCell>& cells) {
-  ordered_json json = ordered_json::array();
-  for (const eval::ToleranceCell& cell : cells) {
-    ordered_json entry = {{"range_m", cell.range_m}, {"tolerance_m", cell.tolerance_m}};
-    entry.update(counts_json(cell.counts));
-    entry["macro_f1"] = figure(cell.macro_f1());
-    json.push_back(std::move(entry));
-  }
-  return json;
-}
-
 ordered_json bins_json(const eval::RangeBins& bins) {
   ordered_json json = ordered_json::array();
   for (std::size_t i = 0; i < bins.bins.size(); ++i) {
     ordered_json entry = {{"from_m", static_cast<double>(i) * bins.width_m},
                           {"to_m", static_cast<double>(i + 1) * bins.width_m}};
-    entry.update(counts_json(bins.bins[i]));
-    json.push_back(std::move(entry));
-  }
-  return json;
-}
-
-ordered_json confidence_json(const std::vector<eval::ConfidencePoint>& points) {
-  ordered_json json = ordered_json::array();
-  for (const eval::ConfidencePoint& point : points) {
-    ordered_json entry = {{"least_confidence", point.least_confidence}};
-    entry.update(counts_json(point.counts));
+    entry.update(ordered_json::parse(study::counts_json(bins.bins[i])));
     json.push_back(std::move(entry));
   }
   return json;
@@ -279,8 +245,7 @@ ordered_json objects_json(const eval::ObjectScore& objects) {
 }  // namespace
 
 ordered_json figure(const std::optional<double>& value) {
-  if (!value || !std::isfinite(*value)) return nullptr;
-  return std::round(*value * 1e6) / 1e6;
+  return ordered_json::parse(study::figure_json(value));
 }
 
 std::string metric_tables(const TruthEvaluation& evaluation) {
@@ -294,10 +259,10 @@ ordered_json metrics_json(const TruthEvaluation& evaluation) {
   ordered_json json = {
       {"scans", all.scans},
       {"absent", all.absent},
-      {"tolerance", cells_json(all.cells)},
+      {"tolerance", ordered_json::parse(study::cells_json(all.cells))},
       {"by_range", bins_json(all.by_range)},
       {"detection_range_m", figure(eval::detection_range_m(all.by_range))},
-      {"by_confidence", confidence_json(all.by_confidence)},
+      {"by_confidence", ordered_json::parse(study::confidence_json(all.by_confidence))},
       {"stations", stations_json(all.stations)},
       {"lateral", all_lateral_json(all.lateral)},
       {"mean_hausdorff_95_m", figure(mean(all.hausdorff_95_m))},

@@ -11,7 +11,7 @@
 
 namespace verge::app {
 
-/// A figure for JSON, to a millionth; null where it does not exist or is not finite.
+/// A figure for JSON, as study::figure_json() has it.
 [[nodiscard]] nlohmann::ordered_json figure(const std::optional<double>& value);
 
 /// The metrics of docs/evaluation.md as tables, and as one JSON object with the counts behind them.

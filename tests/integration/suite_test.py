@@ -67,6 +67,9 @@ class Report(CliTest):
         self.assertNotIn("median_ms", table)
         figures = json.loads((self.out / "results.json").read_text())
         self.assertEqual([cell["cell"] for cell in figures["cells"]], ["670 frames", "straight", "corner"])
+        cell = figures["cells"][0]["methods"][0]["boundaries"]["tolerance"][0]
+        self.assertIn("occluded_recall", cell)
+        self.assertEqual(cell["macro_f1"], cell["f1"])  # of one scan
         rows = list(csv.DictReader((self.out / "results.csv").read_text().splitlines()))
         self.assertEqual(rows[0]["scans"], "1")
         self.assertEqual(len(list((self.out / "parts").glob("*.json"))), 3)

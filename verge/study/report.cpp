@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/study/report.hpp"
 
-#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,7 @@
 #include "verge/core/csv_field.hpp"
 #include "verge/core/version.hpp"
 #include "verge/study/figures.hpp"
+#include "verge/study/figures_json.hpp"
 #include "verge/study/table.hpp"
 
 namespace verge::study {
@@ -17,13 +20,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// To a millionth; null where there is none.
-ordered_json number(const std::optional<double>& value) {
-  if (!value) return nullptr;
-  const double rounded = std::round(*value * 1e6) / 1e6;
-  if (rounded == std::floor(rounded) && std::fabs(rounded) < 1e15) return static_cast<std::int64_t>(rounded);
-  return rounded;
-}
+ordered_json number(const std::optional<double>& value) { return ordered_json::parse(figure_json(value)); }
 
 ordered_json figures_json(const Figures& figures) {
   ordered_json json = ordered_json::object();
@@ -31,38 +28,16 @@ ordered_json figures_json(const Figures& figures) {
   return json;
 }
 
-ordered_json counts_json(const eval::ToleranceCounts& counts) {
-  return {{"predicted", counts.predicted},
-          {"right", counts.right},
-          {"visible", counts.visible},
-          {"found_visible", counts.found_visible},
-          {"occluded", counts.occluded},
-          {"found_occluded", counts.found_occluded},
-          {"precision", number(counts.precision())},
-          {"recall", number(counts.recall())},
-          {"f1", number(counts.f1())}};
-}
-
 ordered_json boundaries_json(const Tally& tally) {
-  ordered_json json = {{"tolerance", ordered_json::array()},
+  ordered_json json = {{"tolerance", ordered_json::parse(cells_json(tally.cells))},
                        {"by_range", ordered_json::array()},
-                       {"by_confidence", ordered_json::array()}};
-  for (const eval::ToleranceCell& cell : tally.cells) {
-    ordered_json entry = {{"range_m", cell.range_m}, {"tolerance_m", cell.tolerance_m}};
-    entry.update(counts_json(cell.counts));
-    json["tolerance"].push_back(std::move(entry));
-  }
+                       {"by_confidence", ordered_json::parse(confidence_json(tally.by_confidence))}};
   for (std::size_t i = 0; i < tally.by_range.bins.size(); ++i) {
     ordered_json entry = {{"from_m", static_cast<double>(i) * tally.by_range.width_m}};
-    entry.update(counts_json(tally.by_range.bins[i]));
+    entry.update(ordered_json::parse(counts_json(tally.by_range.bins[i])));
     if (i < tally.lateral_by_range_m.size())
       entry["lateral_p95_m"] = number(tally.lateral_by_range_m[i].sizes().percentile(95.0));
     json["by_range"].push_back(std::move(entry));
-  }
-  for (const eval::ConfidencePoint& point : tally.by_confidence) {
-    ordered_json entry = {{"least_confidence", number(point.least_confidence)}};
-    entry.update(counts_json(point.counts));
-    json["by_confidence"].push_back(std::move(entry));
   }
   return json;
 }
@@ -103,7 +78,7 @@ std::string csv_line(const Cell& cell, const std::string& who, const Figures& na
                   cell.condition.empty() ? std::string() : fmt::format("{:g}", cell.value), csv_field(who));
   for (const Figure& figure : names) {
     const auto value = value_of(figures, figure.name);
-    line += ',' + (value ? number(value).dump() : std::string());
+    line += ',' + (value ? figure_json(value) : std::string());
   }
   return line + "\r\n";
 }
