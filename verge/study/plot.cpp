@@ -22,6 +22,7 @@ constexpr double kRight = 16.0;
 constexpr double kTop = 14.0;
 constexpr double kBelow = 46.0;  // ticks and the label of x
 constexpr double kLegendLine = 20.0;
+constexpr double kTicks = 4.0;  // at least so many stretches between ticks
 constexpr std::size_t kStyles = 6;
 
 struct Span {
@@ -49,9 +50,9 @@ class Frame {
     if (plot.x_range) x_ = {plot.x_range->first, plot.x_range->second};
     const double rim = 0.02 * x_.length();  // so that no sign is cut in half
     x_ = {x_.low - rim, x_.high + rim};
-    if (plot.y_max) y_.high = *plot.y_max;
     if (!(x_.length() > 0.0)) x_ = {x_.low - 0.5, x_.high + 0.5};
     if (!(y_.length() > 0.0)) y_.high = y_.low + 1.0;
+    y_.high = plot.y_max ? *plot.y_max : next_tick(y_);
   }
 
   [[nodiscard]] double x(double value) const {
@@ -71,8 +72,14 @@ class Frame {
     if (point.between) y_.take(point.between->second);
   }
 
+  /// The end of the span, or the tick above it: what is highest is then read between two ticks.
+  [[nodiscard]] static double next_tick(const Span& span) {
+    const double step = round_length(span.length() / kTicks);
+    return std::ceil(span.high / step) * step;
+  }
+
   [[nodiscard]] static std::vector<double> ticks(const Span& span) {
-    const double step = round_length(span.length() / 4.0);
+    const double step = round_length(span.length() / kTicks);
     constexpr double kSlack = 1e-9;  // an end of the span is a tick though it is rounded
     const long first = std::lround(std::ceil(span.low / step - kSlack));
     const long last = std::lround(std::floor(span.high / step + kSlack));

@@ -30,7 +30,7 @@ struct Plot {
   std::vector<std::string> x_names{};                  ///< Of x = 0, 1, ...: in the place of numbers.
   std::optional<std::pair<double, double>> x_range{};  ///< None: what the points need.
   double y_min = 0.0;
-  std::optional<double> y_max{};  ///< None: what the points need.
+  std::optional<double> y_max{};  ///< None: what the points need, up to a tick.
   std::vector<Series> series;
 };
 

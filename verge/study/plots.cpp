@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,6 +34,7 @@ Plot precision_recall(const Results& results) {
           "One line a method: each point is the boundaries of at least some confidence, all cells together.",
       .x_label = "recall",
       .y_label = "precision",
+      .x_range = std::pair(0.0, 1.0),
       .y_max = 1.0,
       .series = {}};
   plot.series = of_each(results, [](const Tally& tally) {
@@ -60,6 +62,12 @@ Plot error_by_range(const Results& results) {
                         tally.lateral_by_range_m[ring].sizes().percentile(95.0).value_or(kNone)});
     return points;
   });
+  double farthest_m = 0.0;
+  for (const Tally& tally : results.tallies) {
+    const auto rings = static_cast<double>(tally.lateral_by_range_m.size());
+    farthest_m = std::max(farthest_m, rings * tally.by_range.width_m);
+  }
+  plot.x_range = std::pair(0.0, farthest_m);
   return plot;
 }
 

@@ -25,7 +25,7 @@ caption{text-align:left;font-weight:600;padding:.3rem 0}
 th,td{padding:.2rem .7rem;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap;font-weight:400}
 thead th{font-weight:600;border-bottom-width:2px}
 .word{text-align:left}
-.grid-of-figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(20rem,1fr));gap:1.5rem}
+.grid-of-figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(30rem,100%),1fr));gap:1.5rem}
 figure{margin:0}figure img{width:100%;height:auto;border-radius:4px}
 )";
 

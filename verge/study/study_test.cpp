@@ -338,8 +338,8 @@ TEST_F(Engine, ATinySuitesTableIsWhatIsWorkedOutByHand) {
   const Results results = closed_form(folder_);
   // 11 of 21 true points have the line beside them, and the one at 5.5 m is 0.52 m from its end.
   EXPECT_EQ(to_text(tables_of(results).at(0)),
-            "scans of  method   scans  precision  recall  F1 at 0.1\n"
-            "a kerb    program      1      1.000   0.524      0.000\n");
+            "case    method   scans  precision  recall  F1 at 0.1\n"
+            "a kerb  program      1      1.000   0.524      0.000\n");
   EXPECT_THAT(notes_on(results),
               testing::ElementsAre("program does not report corners: such figures are \"-\"."));
 }
@@ -378,6 +378,12 @@ TEST(Plot, LeavesOutWhatIsNotFiniteAndIsEmptyWithoutAPoint) {
   EXPECT_THAT(svg, HasSubstr("aria-labelledby=\"p-title p-about\""));
   plot.series = {{"one", {{kNan, 1.0}}}};
   EXPECT_EQ(to_svg(plot, "p"), "");
+}
+
+TEST(Plot, WhatIsHighestLiesBelowATick) {
+  Plot plot;
+  plot.series = {{"one", {{10.0, 0.5}, {20.0, 0.95}}}};
+  EXPECT_THAT(to_svg(plot, "p"), HasSubstr(">1</text>"));
 }
 
 TEST(Plot, NumbersNamesThatDoNotStandBesideEachOther) {

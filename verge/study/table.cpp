@@ -44,7 +44,7 @@ void add_rows(const Results& results, std::size_t index, const std::string& name
 }
 
 Table empty_table(const Suite& suite, const std::string& condition) {
-  Table table{.title = {}, .head = {condition.empty() ? "scans of" : condition, "method"}, .rows = {}};
+  Table table{.title = {}, .head = {condition.empty() ? "case" : condition, "method"}, .rows = {}};
   for (const Column& column : suite.columns) table.head.push_back(column.heading);
   return table;
 }
