@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/study/tally_json.hpp"
 
+#include <cstdint>
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 // Found by the library in the types' own namespaces.
@@ -32,7 +35,8 @@ using nlohmann::json;
 
 }  // namespace
 
-// NOLINTBEGIN(misc-use-internal-linkage): named by the library.
+// Static, since lookup by argument passes an unnamed namespace over.
+// NOLINTBEGIN(misc-use-anonymous-namespace)
 static void to_json(json& out, const Histogram& histogram) {
   out = {{"step", histogram.step()}, {"bins", json::array()}};
   for (const auto& [bin, count] : histogram.bins()) out["bins"].push_back({bin, count});
@@ -49,7 +53,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ScanScore, f1, drive, scan, frame)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tally, scans, absent, damaged, cells, by_range, by_confidence, stations,
                                    straight, curve, lateral_m, lateral_by_range_m, heading_rad, objects,
                                    corners, labels, seconds, poorest)
-// NOLINTEND(misc-use-internal-linkage)
+// NOLINTEND(misc-use-anonymous-namespace)
 
 std::string to_json(const Tally& tally) {
   return json(tally).dump(-1, ' ', false, json::error_handler_t::replace);
