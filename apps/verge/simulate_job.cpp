@@ -19,7 +19,6 @@
 #include "verge/emit/jsonl_writer.hpp"
 #include "verge/io/formats.hpp"
 #include "verge/io/sink.hpp"
-#include "verge/scan/organise.hpp"
 #include "verge/sensor/ibeo/alasca_xt.hpp"
 #include "verge/sensor/ibeo/lux.hpp"
 #include "verge/sensor/velodyne/facts.hpp"
@@ -79,13 +78,15 @@ std::filesystem::path place_of(io::Format format, const std::filesystem::path& f
 class LabelFiles {
  public:
   LabelFiles(const std::filesystem::path& folder, io::Format format)
-      : nuscenes_(format == io::Format::kNuscenes), folder_(folder / (nuscenes_ ? "lidarseg" : "labels")) {}
+      : format_(format),
+        nuscenes_(format == io::Format::kNuscenes),
+        folder_(folder / (nuscenes_ ? "lidarseg" : "labels")) {}
 
   [[nodiscard]] Expected<void> make() const { return make_folder(folder_); }
 
   [[nodiscard]] Expected<void> write(const Scan& scan, const sim::ClassNumbers& numbers) const {
     ByteWriter writer;
-    for (const std::uint32_t i : input_order(scan)) {
+    for (const std::uint32_t i : io::written_order(format_, scan)) {
       if (nuscenes_) {
         writer.le(numbers.nuscenes(scan.label[i]));
       } else {
@@ -98,6 +99,7 @@ class LabelFiles {
   }
 
  private:
+  io::Format format_;
   bool nuscenes_;
   std::filesystem::path folder_;
 };

@@ -255,10 +255,16 @@ class EvaluateGround(CliTest):
         self.assertLess(near["height"]["points"], figures["height"]["points"])
 
     def test_the_labels_of_a_simulated_drive_are_the_truth(self):
-        self.check_ok(run("simulate", "street", "-o", self.folder / "sim", "--scans", "1", "--noise-m", "0"))
-        result = run("evaluate", "--ground", "--labels", self.folder / "sim", "--json", "-")
-        self.check_ok(result)
-        self.assertGreater(json.loads(result.stdout)["protocols"]["patchwork++"]["f1"], 0.9)
+        for format in ("nuscenes", "kitti"):
+            with self.subTest(format=format):
+                drive = self.folder / format
+                self.check_ok(run("simulate", "street", "-o", drive, "--scans", "1", "--noise-m", "0", "--format",
+                                  format))
+                result = run("evaluate", "--ground", "--labels", drive, "--json", "-")
+                self.check_ok(result)
+                figures = json.loads(result.stdout)
+                self.assertGreater(figures["protocols"]["patchwork++"]["f1"], 0.95)
+                self.assertLess(figures["height"]["rmse_m"], 0.15)
 
     def test_what_cannot_be_used(self):
         self.check_refused(self.evaluate(self.folder / "none"), 3, "none")

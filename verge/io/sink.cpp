@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/io/sink.hpp"
 
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -21,6 +22,7 @@
 #include "verge/io/file/pcd.hpp"
 #include "verge/io/file/ply.hpp"
 #include "verge/io/formats.hpp"
+#include "verge/scan/organise.hpp"
 
 namespace verge::io {
 namespace fs = std::filesystem;
@@ -185,6 +187,14 @@ Expected<std::unique_ptr<Sink>> create(const fs::path& path, const SinkOptions& 
   auto sink = std::make_unique<FolderSink>(*format, path);
   if (auto made = sink->make_folders(); !made) return Unexpected(std::move(made).error());
   return sink;
+}
+
+std::vector<std::uint32_t> written_order(Format format, const Scan& scan) {
+  if (format == Format::kKitti) return kitti_order(scan);
+  if (format != Format::kLas) return input_order(scan);
+  std::vector<std::uint32_t> order(scan.size());
+  std::iota(order.begin(), order.end(), 0U);
+  return order;
 }
 
 }  // namespace verge::io

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "verge/core/error.hpp"
 #include "verge/core/log.hpp"
@@ -47,5 +49,9 @@ class Sink {
 /// another drive may stand among them).
 [[nodiscard]] Expected<std::unique_ptr<Sink>> create(const std::filesystem::path& path,
                                                      const SinkOptions& options = {});
+
+/// Indices of the scan's points in the order in which they stand in a file of that format: what stands beside
+/// the file point by point goes by it. Captures and streams hold them in the order of their times.
+[[nodiscard]] std::vector<std::uint32_t> written_order(Format format, const Scan& scan);
 
 }  // namespace verge::io

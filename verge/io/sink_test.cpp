@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "verge/io/formats.hpp"
 #include "verge/io/test_files.hpp"
 #include "verge/scan/organise.hpp"
 
@@ -144,7 +145,8 @@ TEST(Sink, AKittiFolderKeepsTheTimesAndPosesOfItsScans) {
   }
 }
 
-TEST(Sink, KittiPutsRingsInOrderWhereTheyAreNot) {
+/// The same points, the last first.
+Scan reversed_scan() {
   Cloud cloud = full_cloud();
   std::reverse(cloud.x.begin(), cloud.x.end());
   std::reverse(cloud.y.begin(), cloud.y.end());
@@ -152,12 +154,32 @@ TEST(Sink, KittiPutsRingsInOrderWhereTheyAreNot) {
   std::reverse(cloud.ring.begin(), cloud.ring.end());
   Scan scan = organise(cloud).scan;
   scan.frame = "a";
+  return scan;
+}
+
+TEST(Sink, KittiPutsRingsInOrderWhereTheyAreNot) {
+  const Scan scan = reversed_scan();
   const testing::TemporaryFolder folder;
   write_all(folder.path() / "velodyne" / "..", {scan}, {.format = Format::kKitti});
   const auto back = read_all(folder.path());
   ASSERT_EQ(back.size(), 1U);
   EXPECT_EQ(back[0].x, scan.x);
   EXPECT_EQ(back[0].ring_begin, scan.ring_begin);
+}
+
+TEST(Sink, TheOrderOfAFilesPointsIsTold) {
+  const Scan scan = reversed_scan();
+  for (const Format format : {Format::kKitti, Format::kNuscenes, Format::kPcd, Format::kLas}) {
+    const testing::TemporaryFolder folder;
+    write_all(folder.path() / "drive", {scan}, {.format = format});
+    const Cloud back = flatten(read_all(folder.path() / "drive").at(0));
+    const std::vector<std::uint32_t> order = written_order(format, scan);
+    ASSERT_EQ(back.x.size(), order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      EXPECT_NEAR(double{back.x[i]}, double{scan.x[order[i]]}, 1e-4) << name_of(format);
+      EXPECT_NEAR(double{back.z[i]}, double{scan.z[order[i]]}, 1e-4) << name_of(format);
+    }
+  }
 }
 
 TEST(Sink, AFolderHoldsManyScansByTheirNames) {

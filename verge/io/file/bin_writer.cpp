@@ -38,7 +38,8 @@ Expected<void> write_float_rows(const std::filesystem::path& path, std::span<con
   return file->commit();
 }
 
-/// Ring by ring from the top: as the points came, if they came so.
+}  // namespace
+
 std::vector<std::uint32_t> kitti_order(const Scan& scan) {
   const std::vector<std::uint32_t> ring = ring_of_points(scan);
   std::vector<std::uint32_t> order = input_order(scan);
@@ -48,8 +49,6 @@ std::vector<std::uint32_t> kitti_order(const Scan& scan) {
   std::stable_sort(order.begin(), order.end(), is_lower);
   return order;
 }
-
-}  // namespace
 
 Expected<void> write_kitti(const std::filesystem::path& path, const Scan& scan) {
   return write_float_rows(path, kitti_order(scan), 4, [&](std::uint32_t i, std::span<float> row) {

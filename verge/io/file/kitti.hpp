@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "verge/io/file/decoded.hpp"
 #include "verge/io/input.hpp"
@@ -15,9 +17,12 @@ namespace verge::io {
 /// cannot be metres (big-endian floats), kDamaged where it has no points.
 [[nodiscard]] Expected<Decoded> read_kitti(Input& input);
 
-/// The scan as KITTI's float32 rows x, y, z, intensity (0 where it has none), atomically. The format has no
-/// ring numbers but an order: ring by ring from the top. Points keep the input's order where that is so
-/// already, else they are written ring by ring, each by azimuth.
+/// Indices of the scan's points in the order in which write_kitti() has them, since the format has no ring
+/// numbers but an order: ring by ring from the top. Points keep the input's order where that is so already,
+/// else they stand ring by ring, each by azimuth.
+[[nodiscard]] std::vector<std::uint32_t> kitti_order(const Scan& scan);
+
+/// The scan as KITTI's float32 rows x, y, z, intensity (0 where it has none), atomically.
 [[nodiscard]] Expected<void> write_kitti(const std::filesystem::path& path, const Scan& scan);
 
 }  // namespace verge::io
