@@ -36,7 +36,7 @@ double seconds_since(Clock::time_point begin) {
 class Job {
  public:
   Job(const DetectRequest& request, const Settings& settings, Console& console, const Signals& signals,
-      Inputs& inputs, Output& output, const std::optional<Pictures>& pictures)
+      Inputs& inputs, Output& output, std::optional<Pictures>& pictures)
       : request_(request),
         settings_(settings),
         console_(console),
@@ -89,6 +89,9 @@ class Job {
     if (std::exchange(is_first_, false)) {
       console_.print(fmt::format("verge: {}\n", mount_line(frame.mount, settings_.mount_hint())));
     }
+    if (pictures_) {
+      if (auto drawn = pictures_->follow(frame); !drawn) return drawn;
+    }
     return output_.write(frame, record);
   }
 
@@ -123,6 +126,9 @@ class Job {
     if (!done) return fail(done.error());
     const ExitCode code = outcome(*done);
     if (keeps_output(code)) {
+      if (pictures_) {
+        if (auto drawn = pictures_->finish(); !drawn) return fail(drawn.error());
+      }
       if (auto finished = output_.finish(done->interrupted, done->mounts); !finished) {
         return fail(finished.error());
       }
@@ -144,7 +150,7 @@ class Job {
   const Signals& signals_;
   Inputs& inputs_;
   Output& output_;
-  const std::optional<Pictures>& pictures_;
+  std::optional<Pictures>& pictures_;
   std::optional<std::size_t> total_;
   Clock::time_point begin_ = Clock::now();
   bool is_first_ = true;

@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include "verge/core/atomic_file.hpp"
+
 namespace verge::app {
 
 Pictures::Pictures(std::filesystem::path folder, bool numbered, const emit::BevPlot::Config& config)
@@ -40,6 +42,22 @@ Expected<void> Pictures::draw(const pipeline::Frame& frame) const {
                                       .scene = frame.scene,
                                       .trace = frame.trace ? &*frame.trace : nullptr,
                                       .truth = nullptr});
+}
+
+Expected<void> Pictures::follow(const pipeline::Frame& frame) {
+  constexpr std::size_t kScans = 600;  // so that memory does not grow with the recording
+  if (!frame.trace) return {};
+  widths_.add(frame.scene, *frame.trace);
+  return widths_.size() < kScans ? Expected<void>{} : finish();
+}
+
+Expected<void> Pictures::finish() {
+  const bool worth_it = widths_.has_lengths();
+  const auto png = worth_it ? widths_.png() : Expected<std::string>{};
+  widths_.clear();
+  if (!png) return Unexpected(png.error());
+  if (!worth_it) return {};
+  return write_file(folder_ / fmt::format("road_width_{:06}.png", width_pictures_++), *png);
 }
 
 }  // namespace verge::app

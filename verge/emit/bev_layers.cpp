@@ -267,13 +267,39 @@ void draw_boundaries(Canvas& canvas, const BevView& view, const Scene& scene, Le
   }
 }
 
+void draw_corners(Canvas& canvas, const BevView& view, const Scene& scene, Legend& legend) {
+  for (const Corner& corner : scene.corners) {
+    const Vec2 at = view.at(corner.position);
+    const Colour colour = side_colour(corner.side == CornerSide::kRight ? Side::kRight : Side::kLeft);
+    if (!view.shows(at)) continue;
+    canvas.dots(std::array{at}, view.px(12.0), kGround);
+    canvas.dots(std::array{at}, view.px(9.0), colour);
+    if (corner.sigma_m) {
+      canvas.circle(at, view.px(12.0) + *corner.sigma_m * view.pixels_a_metre(), {view.px(2.0), colour, {}});
+    }
+  }
+  if (!scene.corners.empty())
+    legend.push_back({LegendSign::kDot, kText, fmt::format("corners ({})", scene.corners.size())});
+}
+
+void draw_true_corner(Canvas& canvas, const BevView& view, const Corner& corner) {
+  const Vec2 at = view.at(corner.position);
+  if (!view.shows(at)) return;
+  const double arm = view.px(11.0);
+  const Stroke stroke{view.px(3.0), corner.confidence > 0.0 ? kTruth : kTruth.faded(0.45), {}};
+  canvas.line(std::array{at - Vec2{arm, arm}, at + Vec2{arm, arm}}, stroke);
+  canvas.line(std::array{at - Vec2{arm, -arm}, at + Vec2{arm, -arm}}, stroke);
+}
+
 void draw_truth(Canvas& canvas, const BevView& view, const Scene& truth, Legend& legend) {
+  for (const Corner& corner : truth.corners) draw_true_corner(canvas, view, corner);
   for (const Boundary& boundary : truth.boundaries) {
     const std::vector<Vec2> line = view.line(boundary.points);
     if (line.size() == 1) canvas.dots(line, view.px(3.0), kTruth);
     if (line.size() > 1) canvas.line(line, {view.px(2.5), kTruth, {view.px(9.0), view.px(9.0)}});
   }
   if (!truth.boundaries.empty()) legend.push_back({LegendSign::kDashedLine, kTruth, "truth"});
+  if (!truth.corners.empty()) legend.push_back({LegendSign::kDot, kTruth, "true corners (crosses)"});
 }
 
 }  // namespace verge::emit

@@ -56,6 +56,9 @@ enum class Depth { kUnder, kOver };
 void draw_trace(Canvas& canvas, const BevView& view, const HeightScale& scale, const Trace& trace,
                 Depth depth, Legend& legend);
 void draw_boundaries(Canvas& canvas, const BevView& view, const Scene& scene, Legend& legend);
+/// A disc where each corner is, in the colour of its side, with a ring of its deviation.
+void draw_corners(Canvas& canvas, const BevView& view, const Scene& scene, Legend& legend);
+/// Boundaries dashed, corners as crosses; those of confidence 0 (they look like one) fainter.
 void draw_truth(Canvas& canvas, const BevView& view, const Scene& truth, Legend& legend);
 
 }  // namespace verge::emit

@@ -31,6 +31,7 @@ Expected<std::string> BevPlot::png(const BevContent& content) const {
   draw_scan(canvas, view, scale, content, config_.ceiling_m);
   if (content.trace != nullptr) draw_trace(canvas, view, scale, *content.trace, Depth::kUnder, steps);
   draw_boundaries(canvas, view, content.scene, legend);
+  draw_corners(canvas, view, content.scene, legend);
   if (content.truth != nullptr) draw_truth(canvas, view, *content.truth, legend);
   if (content.trace != nullptr) draw_trace(canvas, view, scale, *content.trace, Depth::kOver, steps);
   draw_vehicle(canvas, view);

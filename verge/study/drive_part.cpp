@@ -99,8 +99,7 @@ Seen see_drive_again(const MadeDrives& drives, const ScanScore& wanted, const Co
        index += drives.step) {
     sim::Simulated simulated = world.scan(index);
     seen.frame = {};
-    seen.frame.scan = thin(std::move(simulated.scan), drives.lost, wanted.drive, index);
-    seen.frame.scan.mount = drives.mount;
+    seen.frame.scan = told(thin(std::move(simulated.scan), drives.lost, wanted.drive, index), drives);
     pipeline::prepare(seen.frame, {});
     pipeline::detect_on(seen.frame, *detector, options_of(contestant));
     seen.truth = std::move(simulated.truth);
@@ -109,6 +108,11 @@ Seen see_drive_again(const MadeDrives& drives, const ScanScore& wanted, const Co
 }
 
 }  // namespace
+
+Scan told(Scan scan, const MadeDrives& drives) {
+  scan.mount = drives.mount;
+  return scan;
+}
 
 std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const MadeDrives& drives,
                                               std::uint64_t drive,
@@ -122,8 +126,7 @@ std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const MadeDriv
     if (hooks.stop.load()) return std::nullopt;
     sim::Simulated simulated = world.scan(index_of(drives, i));
     pipeline::Frame frame;
-    frame.scan = thin(std::move(simulated.scan), drives.lost, drive, index_of(drives, i));
-    frame.scan.mount = drives.mount;
+    frame.scan = told(thin(std::move(simulated.scan), drives.lost, drive, index_of(drives, i)), drives);
     const double prepare_s = seconds_of([&] { pipeline::prepare(frame, {}); });
     for (Driver& driver : drivers) driver.see(frame, prepare_s, simulated.truth, drive, index_of(drives, i));
     if (suite.judged.corners) truths.push_back(corners_of(simulated.truth));

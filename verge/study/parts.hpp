@@ -43,6 +43,9 @@ struct PartHooks {
                                                             const Contestant& contestant,
                                                             const PartHooks& hooks);
 
+/// The scan with what methods are told of a drive's sensor.
+[[nodiscard]] Scan told(Scan scan, const MadeDrives& drives);
+
 /// A scan as a method saw it, and its truth as a Scene.
 struct Seen {
   pipeline::Frame frame;

@@ -30,7 +30,20 @@ struct Picture {
 /// found, and the truth over it. Fails as see_again() and emit::BevPlot::png().
 [[nodiscard]] Expected<std::vector<Picture>> worst_scans(const Results& results, std::size_t most);
 
+/// Of a suite that judges corners: a method's lines on the straight road, entering, passing and leaving a
+/// corner, and the road's width over time with what each method made of it; of one drive of the middle cell.
+/// Fails as emit::BevPlot::png().
+[[nodiscard]] Expected<std::vector<Picture>> corner_pictures(const Results& results);
+
+/// Pictures under a heading.
+struct Gallery {
+  std::string title;
+  std::string about;
+  std::vector<Picture> pictures;
+};
+
 /// One page that needs nothing beside it: no network, no script.
-[[nodiscard]] std::string html_report(const Results& results, const std::vector<Picture>& worst, bool times);
+[[nodiscard]] std::string html_report(const Results& results, const std::vector<Gallery>& galleries,
+                                      bool times);
 
 }  // namespace verge::study

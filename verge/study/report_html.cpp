@@ -71,18 +71,14 @@ std::string plots_html(const Results& results) {
   return fmt::format("<h2>Plots</h2>\n<div class=\"grid-of-figures\">\n{}</div>\n", figures);
 }
 
-std::string pictures_html(const std::vector<Picture>& pictures) {
-  if (pictures.empty()) return {};
-  std::string html =
-      "<h2>Worst scans</h2>\n<p>Seen from above, heading up. Points by height, what was found in colour, the "
-      "truth in "
-      "white dashes over it.</p>\n<div class=\"grid-of-figures\">\n";
-  for (const Picture& picture : pictures) {
+std::string gallery_html(const Gallery& gallery) {
+  if (gallery.pictures.empty()) return {};
+  std::string html = fmt::format("<h2>{}</h2>\n<p>{}</p>\n<div class=\"grid-of-figures\">\n",
+                                 escape_markup(gallery.title), escape_markup(gallery.about));
+  for (const Picture& picture : gallery.pictures) {
     const std::string caption = escape_markup(picture.caption);
     html += fmt::format(
-        "<figure><img alt=\"Scan from above with what was found and the truth: {}\" "
-        "src=\"data:image/png;base64,{}\">"
-        "<figcaption>{}</figcaption></figure>\n",
+        "<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
         caption, base64(picture.png), caption);
   }
   return html + "</div>\n";
@@ -90,7 +86,7 @@ std::string pictures_html(const std::vector<Picture>& pictures) {
 
 }  // namespace
 
-std::string html_report(const Results& results, const std::vector<Picture>& worst, bool times) {
+std::string html_report(const Results& results, const std::vector<Gallery>& galleries, bool times) {
   const std::string title = escape_markup(results.suite.title);
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
@@ -99,7 +95,8 @@ std::string html_report(const Results& results, const std::vector<Picture>& wors
       "<body>\n<main>\n<h1>{}</h1>\n<p>{}</p>\n<p class=\"faint\">verge {}, suite {}. Definitions: "
       "docs/evaluation.md.</p>\n",
       title, kStyle, plot_style(), title, escape_markup(results.suite.about), version(), results.suite.name);
-  html += tables_html(results) + plots_html(results) + pictures_html(worst);
+  html += tables_html(results) + plots_html(results);
+  for (const Gallery& gallery : galleries) html += gallery_html(gallery);
   if (times) html += "<h2>Run time</h2>\n" + table_html(time_table(results), "Milliseconds");
   return html + "</main>\n</body>\n</html>\n";
 }

@@ -360,11 +360,25 @@ TEST_F(Engine, TheWorstScansOfADriveAreSeenAgain) {
   ASSERT_EQ(pictures->size(), 1U);
   EXPECT_EQ(pictures->at(0).png.substr(1, 3), "PNG");
   EXPECT_THAT(pictures->at(0).caption, HasSubstr("gradient: short road, drive "));
-  const std::string html = html_report(*outcome.results, *pictures, false);
+  const std::string html = html_report(*outcome.results, {{"Worst scans", "about", *pictures}}, false);
   EXPECT_THAT(html, HasSubstr("A &lt;small&gt; suite"));
   EXPECT_THAT(html, HasSubstr("gradient does not report corners"));
   EXPECT_THAT(html, HasSubstr("data:image/png;base64,iVBOR"));
   EXPECT_THAT(html, HasSubstr("somebody"));
+  EXPECT_THAT(html, HasSubstr("Worst scans"));
+}
+
+// Paper 1's Fig. 2 and 3 and its lengths over time, of a method that says corners; of others there are none.
+TEST(CornerPictures, ShowADrivePastACorner) {
+  Suite suite = suite_named("paper1", {.drives = 1, .scans = 120});
+  Results results{.suite = suite, .contestants = {contestant_of("gradient")}, .tallies = {}};
+  EXPECT_TRUE(corner_pictures(results)->empty());
+  results.contestants.push_back(contestant_of("road_width:reading=fixed"));
+  const auto pictures = corner_pictures(results);
+  ASSERT_TRUE(pictures.has_value());
+  ASSERT_EQ(pictures->size(), 5U);
+  EXPECT_THAT(pictures->at(1).caption, HasSubstr("entering a corner"));
+  EXPECT_THAT(pictures->at(4).caption, HasSubstr("width from scan to scan"));
 }
 
 TEST(Plot, LeavesOutWhatIsNotFiniteAndIsEmptyWithoutAPoint) {

@@ -17,9 +17,9 @@ double CornerStates::before_m(std::size_t lag) const {
 }
 
 void CornerStates::look_for_corner(const LineLengths& lengths, std::size_t lag, CornerStep& done) {
-  if (!candidate_) candidate_ = lengths.first_m - lengths.last_m > thresholds_.dd_m;  // Step 6
+  if (!candidate_) candidate_ = done.first_m > thresholds_.dd_m;  // Step 6
   if (!candidate_) return;
-  if (lengths.first_m - before_m(lag) > thresholds_.ds_m) {  // Step 4
+  if (done.second_m > thresholds_.ds_m) {  // Step 4
     ++k_;
     missed_ = 0;
   } else if (++missed_ > thresholds_.misses) {
@@ -27,7 +27,9 @@ void CornerStates::look_for_corner(const LineLengths& lengths, std::size_t lag, 
     missed_ = 0;
     candidate_ = false;
   }
-  done = {.candidate = candidate_, .k = k_, .found = k_ > thresholds_.k};  // Step 5
+  done.candidate = candidate_;
+  done.k = k_;
+  done.found = k_ > thresholds_.k;  // Step 5
   if (!done.found) return;
   straight_m_ = before_m(lag);  // Step 7
   found_way_m_ = lengths.way_m;
@@ -51,7 +53,7 @@ void CornerStates::look_for_exit(const LineLengths& lengths, std::size_t lag, Co
 CornerStep CornerStates::step(const LineLengths& lengths, std::size_t lag) {
   lag = std::clamp<std::size_t>(lag, 1, kLongestLag);
   first_m_.push_back(lengths.first_m);  // Step 2: t grows by 1
-  CornerStep done;
+  CornerStep done{.first_m = lengths.first_m - lengths.last_m, .second_m = lengths.first_m - before_m(lag)};
   if (in_corner_) look_for_exit(lengths, lag, done);
   if (!in_corner_) look_for_corner(lengths, lag, done);
   if (first_m_.size() > kLongestLag) first_m_.erase(first_m_.begin());

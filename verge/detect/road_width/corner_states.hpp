@@ -29,6 +29,8 @@ struct CornerStep {
   std::size_t k = 0;       ///< K, behind Step 4.
   bool found = false;      ///< Step 7.
   bool left = false;       ///< The first line leaves the corner that was found (Fig. 3-3).
+  double first_m = 0.0;    ///< First comparison: the first line less the last one.
+  double second_m = 0.0;   ///< Second comparison: the first line less itself h scans before.
 };
 
 /// Corner Steps 1 to 7 of P1: the first line longer than the last opens the candidate state, the first line

@@ -93,6 +93,7 @@ void record_lines(Trace& trace, const std::vector<Road>& roads, double reach_m, 
   for (std::size_t i = 0; i < roads.size(); ++i) {
     Trace::Points points{fmt::format("line {}", i + 1), {}, {}};
     for (const Vec3& p : roads[i].line.level) points.points.push_back(frame.to_sensor(p));
+    points.group.assign(points.points.size(), static_cast<int>(i));
     trace.points.push_back(std::move(points));
     lengths.values.push_back(length_m(roads[i], reach_m));
     for (const RoadEnd& end : {roads[i].road.left, roads[i].road.right}) {
@@ -105,10 +106,13 @@ void record_lines(Trace& trace, const std::vector<Road>& roads, double reach_m, 
   trace.values.push_back(std::move(lengths));
 }
 
-void record_step(Trace& trace, const WidthStep& step) {
-  trace.values.push_back({"K", {static_cast<double>(step.k)}});
+void record_step(Trace& trace, const WidthStep& done, const RoadWidthConfig& config) {
+  const CornerStep& step = done.step;
+  trace.values.push_back({"first comparison", {step.first_m, config.dd_thres_m}});
+  trace.values.push_back({"second comparison", {step.second_m, config.ds_thres_m}});
+  trace.values.push_back({"K", {static_cast<double>(step.k), static_cast<double>(config.k_thres)}});
   trace.values.push_back({"CCS", {step.candidate ? 1.0 : 0.0}});
-  trace.values.push_back({"h", {static_cast<double>(step.lag)}});
+  trace.values.push_back({"h", {static_cast<double>(done.lag)}});
 }
 
 /// T_world_level of T_world_sensor.
@@ -160,7 +164,7 @@ Scene RoadWidth::process(const Scan& scan, Trace* trace) {
       state.kerb_corners.see(roads, state.whereabouts(*T_world_level, step_m), state.tracks);
   } else if (are_comparable(roads, config_)) {
     const WidthStep step = state.width_corners.see(roads, state.way_m, step_m, state.tracks);
-    if (trace != nullptr) record_step(*trace, step);
+    if (trace != nullptr) record_step(*trace, step, config_);
   }
   return scene_of(scan, roads, state.tracks.at(state.way_m, T_world_level), frame);
 }

@@ -113,7 +113,6 @@ WidthStep WidthCorners::see(const std::vector<Road>& roads, double way_m, std::o
   const double reach = reach_m(roads, config_);
   const FirstLine first = first_line(roads.front(), reach);
   WidthStep done{.lag = lag_of(step_m)};
-  bool left = false;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const auto [farther, nearer] = kPairs.at(i);
     const std::size_t last = roads.size() - 1;
@@ -121,10 +120,7 @@ WidthStep WidthCorners::see(const std::vector<Road>& roads, double way_m, std::o
                               .last_m = length_m(roads[std::min(nearer, last)], reach),
                               .way_m = way_m};
     const CornerStep step = pairs_[i].step(lengths, done.lag);
-    if (i > 0) continue;
-    done.candidate = step.candidate;
-    done.k = step.k;
-    left = step.left;
+    if (i == 0) done.step = step;
   }
   widening_.see(first, way_m);
   const std::size_t needed = std::max<std::size_t>(1, static_cast<std::size_t>(config_.pairs));
@@ -132,7 +128,7 @@ WidthStep WidthCorners::see(const std::vector<Road>& roads, double way_m, std::o
   const std::size_t in_corner = pairs_in_corner();
   in_corner_ = was_in_corner ? in_corner > 0 : in_corner >= std::min(needed, pairs_.size());
   if (in_corner_ && !was_in_corner) add_corner(first, way_m, step_m.value_or(0.0), tracks);
-  if (left || (was_in_corner && !in_corner_)) {
+  if (done.step.left || (was_in_corner && !in_corner_)) {
     for (const CornerSide side : {CornerSide::kLeft, CornerSide::kRight})
       tracks.leave(side, way_m + first.ahead_m, 0.0);
   }

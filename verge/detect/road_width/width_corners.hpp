@@ -46,9 +46,8 @@ class Widening {
 
 /// What a scan did, for the trace.
 struct WidthStep {
-  bool candidate = false;  ///< CCS of the first pair of lines.
-  std::size_t k = 0;       ///< Its K.
-  std::size_t lag = 0;     ///< h.
+  CornerStep step{};    ///< Of the first pair of lines.
+  std::size_t lag = 0;  ///< h.
 };
 
 /// Corners as the paper finds them: by the length of the first line against its own before, and against

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "verge/emit/bev_plot.hpp"
+#include "verge/emit/width_plot.hpp"
+#include "verge/pipeline/stages.hpp"
+#include "verge/study/parts.hpp"
+#include "verge/study/report.hpp"
+#include "verge/study/thin.hpp"
+
+// Paper 1's Fig. 2 and 3 from our drives, and the road's width over time.
+
+namespace verge::study {
+namespace {
+
+constexpr std::uint64_t kDrive = 1;
+constexpr std::size_t kScans = 400;  // past the first corners and what looks like one
+
+/// Where the first line is at the first true corner, as in Fig. 2 and 3.
+enum class Phase { kStraight, kEntering, kPassing, kLeaving };
+constexpr std::array kPhases = {std::pair(Phase::kStraight, "straight road (Fig. 2)"),
+                                std::pair(Phase::kEntering, "entering a corner (Fig. 3-1)"),
+                                std::pair(Phase::kPassing, "passing a corner (Fig. 3-2)"),
+                                std::pair(Phase::kLeaving, "leaving a corner (Fig. 3-3)")};
+
+bool is_in(Phase phase, const Corner& corner) {
+  constexpr double kFirstLine_m = 5.0;
+  constexpr double kWithin_m = 2.0;
+  switch (phase) {
+    case Phase::kStraight:
+      return corner.distance_m < 3.0 * kFirstLine_m;
+    case Phase::kEntering:
+      return corner.distance_m < kFirstLine_m - 0.5 * kWithin_m;
+    case Phase::kPassing:
+      return corner.distance_m < kFirstLine_m - 2.0 * kWithin_m;
+    case Phase::kLeaving:
+      return corner.exit_m < kFirstLine_m;
+  }
+  return false;
+}
+
+/// A contestant on its way along the drive.
+struct Follower {
+  const Contestant& contestant;
+  std::unique_ptr<detect::Detector> detector;
+  emit::WidthPlot widths;
+};
+
+pipeline::Frame seen_by(Follower& follower, const Scan& scan) {
+  pipeline::Frame frame;
+  frame.scan = scan;
+  pipeline::Options options{
+      .mount_hint = {}, .mount_config = {}, .method = follower.contestant.name, .config_hash = {}};
+  options.trace = true;
+  pipeline::prepare(frame, options);
+  pipeline::detect_on(frame, *follower.detector, options);
+  return frame;
+}
+
+Expected<Picture> from_above(const pipeline::Frame& frame, const Scene& truth, const std::string& what) {
+  emit::BevPlot::Config config;
+  config.size_px = 700;
+  config.ahead_m = 12.0;
+  config.behind_m = 2.0;
+  config.side_m = 7.0;
+  if (frame.scan.mount) config.up_rad = frame.scan.mount->forward_rad;
+  return emit::BevPlot(config)
+      .png({.scan = frame.scan, .scene = frame.scene, .trace = &*frame.trace, .truth = &truth})
+      .map([&](std::string png) {
+        return Picture{std::move(png), fmt::format("{}: {}", frame.scene.method, what)};
+      });
+}
+
+const Corner* first_true(const Scene& truth, std::optional<int>& id) {
+  for (const Corner& corner : truth.corners) {
+    if (corner.confidence == 0.0 || (id && corner.id != *id)) continue;
+    id = corner.id;
+    return &corner;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Expected<std::vector<Picture>> corner_pictures(const Results& results) {
+  std::vector<Picture> pictures;
+  const Cell& cell = results.suite.cells[results.suite.cells.size() / 2];
+  const auto* drives = std::get_if<MadeDrives>(&cell.scans);
+  if (!results.suite.judged.corners || drives == nullptr) return pictures;
+  std::vector<Follower> followers;
+  for (const Contestant& contestant : results.contestants) {
+    if (contestant.says.corners && !contestant.predictions)
+      followers.push_back({contestant, detector_of(contestant), {}});
+  }
+  if (followers.empty()) return pictures;
+  const sim::Drive drive(drives->make(kDrive));
+  std::optional<int> corner_id;
+  std::size_t phase = 0;
+  for (std::size_t i = 0; i < std::min(kScans, drives->scans); ++i) {
+    sim::Simulated simulated = drive.scan(i);
+    const Scan scan = told(thin(std::move(simulated.scan), drives->lost, kDrive, i), *drives);
+    for (Follower& follower : followers) {
+      const pipeline::Frame frame = seen_by(follower, scan);
+      follower.widths.add(frame.scene, *frame.trace);
+      if (&follower != &followers.front() || phase == kPhases.size()) continue;
+      const Corner* corner = first_true(simulated.truth, corner_id);
+      if (corner == nullptr || !is_in(kPhases.at(phase).first, *corner)) continue;
+      auto picture = from_above(frame, simulated.truth, kPhases.at(phase++).second);
+      if (!picture) return Unexpected(std::move(picture).error());
+      pictures.push_back(*std::move(picture));
+    }
+  }
+  for (const Follower& follower : followers) {
+    if (!follower.widths.has_lengths()) continue;
+    auto png = follower.widths.png();
+    if (!png) return Unexpected(std::move(png).error());
+    pictures.push_back({*std::move(png), fmt::format("{}: the road's width from scan to scan; {}, drive {}",
+                                                     follower.contestant.name, cell.name, kDrive)});
+  }
+  return pictures;
+}
+
+}  // namespace verge::study
