@@ -12,8 +12,8 @@
 
 namespace verge::detect {
 
-/// What a method says of a scan. Corners and objects that it does not say are not judged; nor, where no method
-/// is named, are boundaries that it gives only a piece of.
+/// What a method says of a scan. Corners and objects that it does not say are not judged; nor, where no
+/// method is named, are boundaries that it gives only a piece of.
 struct Says {
   bool boundaries = true;
   bool corners = false;

@@ -118,6 +118,15 @@ void draw_layer(Canvas& canvas, const BevView& view, const HeightScale& scale, c
   }
 }
 
+LegendEntry entry_of(const Trace::Points& layer, const LayerStyle& style) {
+  const std::string text = fmt::format("{} ({})", style.label, layer.points.size());
+  const bool one_group =
+      style.hue == Hue::kGroup && std::all_of(layer.group.begin(), layer.group.end(),
+                                              [&](int group) { return group == layer.group.front(); });
+  if (one_group) return {LegendSign::kDot, group_colour(layer.group.front()), text};
+  return {sign_of(style.hue), style.colour, text};
+}
+
 /// Dotted lines, with one entry of the legend for all of one name.
 void draw_lines(Canvas& canvas, const BevView& view, const std::vector<Trace::Line>& layers, Legend& legend) {
   for (const Trace::Line& layer : layers) {
@@ -247,8 +256,7 @@ void draw_trace(Canvas& canvas, const BevView& view, const HeightScale& scale, c
     if (style.depth != depth || layer.points.empty()) continue;
     if (style.hue == Hue::kGroup && layer.group.size() != layer.points.size()) style.hue = Hue::kOwn;
     draw_layer(canvas, view, scale, layer, style);
-    legend.push_back(
-        {sign_of(style.hue), style.colour, fmt::format("{} ({})", style.label, layer.points.size())});
+    legend.push_back(entry_of(layer, style));
   }
   if (depth == Depth::kOver) draw_lines(canvas, view, trace.lines, legend);
 }
