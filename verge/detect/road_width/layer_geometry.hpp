@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "verge/detect/reading.hpp"
+#include "verge/detect/road_width/road_line.hpp"
 
 namespace verge::detect::road_width {
 
@@ -19,6 +20,11 @@ struct LayerGeometry {
 
   /// Where line i (0 = nearest) meets flat ground, metres ahead of O.
   [[nodiscard]] double hit_m(int line) const;
+  /// Where it meets it at an angle from straight ahead in the scanner's own plane, in the frame of Fig. 2.
+  /// The scanner is turned down so that its plane lies between the middle layers, and each layer is a cone
+  /// about its axis: nearly a plane, so that its line runs nearly straight across. (A level scanner draws
+  /// circles.)
+  [[nodiscard]] PicturePoint hit(int line, double azimuth_rad) const;
   /// Eq. (1): from line i to the next one, metres. As printed, the farther angle has the step twice.
   [[nodiscard]] double gap_m(int line, Reading reading) const;
   /// d_l: from the last to the first line on the ground, metres.

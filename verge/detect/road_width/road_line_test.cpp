@@ -91,6 +91,20 @@ TEST(LayerGeometry, IsThatOfThePaper) {
   EXPECT_NEAR(3.6 * paper.guaranteed_speed(20.0), 75.9, 0.05);
 }
 
+// Layers at 1.6 and 0.53 degrees about 13.4 degrees down: lines that run nearly straight, and nearly alike.
+TEST(LayerGeometry, LinesOfAPitchedScannerAreNearlyParallel) {
+  const LayerGeometry paper;
+  const std::vector<double> ahead = {3.73, 4.03, 4.38, 4.79};
+  const std::vector<double> at_45_degrees = {3.57, 3.97, 4.46, 5.08};
+  for (int line = 0; line < 4; ++line) {
+    const auto i = static_cast<std::size_t>(line);
+    EXPECT_NEAR(paper.hit(line, 0.0).y, ahead[i], 0.006);
+    EXPECT_NEAR(paper.hit(line, 0.0).y, paper.hit_m(line), 1e-12);
+    EXPECT_NEAR(paper.hit(line, deg_to_rad(45.0)).y, at_45_degrees[i], 0.006);
+    EXPECT_NEAR(paper.hit(line, deg_to_rad(-45.0)).x, -paper.hit(line, deg_to_rad(45.0)).x, 1e-12);
+  }
+}
+
 TEST(LayerGeometry, OfTheHardwaresLayersFirstAndLastAreNearerThanAScan) {
   LayerGeometry hardware;
   hardware.span_rad = deg_to_rad(2.4);
