@@ -111,6 +111,11 @@ Expected<Inputs> Inputs::open(const InputRequest& request, const Log& log) {
   if (!options) return Unexpected(std::move(options).error());
   Inputs inputs;
   inputs.options_ = *std::move(options);
+  if (request.poses) {
+    auto poses = PoseFile::read(path_of(*request.poses));
+    if (!poses) return Unexpected(std::move(poses).error());
+    inputs.poses_ = *std::move(poses);
+  }
   const bool whole = range->begin == 0 && !range->end;
   io::OpenOptions looking = inputs.options_;
   if (!whole) looking.log = {};  // the frames asked for are opened anew and say what there is to say
@@ -187,9 +192,13 @@ Expected<std::optional<Scan>> Inputs::next() {
     io::Source& source = *parts_.front().source;
     format_ = source.info().format;
     auto scan = source.next();
+    if (poses_ && scan && *scan) poses_->give(**scan);
     if (!scan || *scan) return scan;
     done_with_part();
   }
+  if (poses_ && !poses_->was_used())
+    warn(options_.log, "--poses: none of the scans' frames stands in the file");
+  poses_.reset();
   return std::optional<Scan>{};
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/verge/pose_file.hpp"
 #include "verge/core/error.hpp"
 #include "verge/core/log.hpp"
 #include "verge/io/recording.hpp"
@@ -35,6 +36,7 @@ struct InputRequest {
   std::optional<std::string> sensor_ip;
   std::optional<std::string> model;
   std::optional<std::string> calibration;
+  std::optional<std::string> poses;  ///< As PoseFile reads it.
   std::string frames = ":";
   std::uint64_t max_mem_mib = 1024;
 };
@@ -47,7 +49,8 @@ class Inputs {
   /// work. Fails with the first input's error: kUsage, kCannotOpen, or kUnusable for a folder without scans.
   [[nodiscard]] static Expected<Inputs> open(const InputRequest& request, const Log& log);
 
-  /// As io::Source::next(); a file that cannot be opened after all counts as a damaged scan.
+  /// As io::Source::next(), with the poses asked for; a file that cannot be opened after all counts as a
+  /// damaged scan. Where none of the scans had a pose in the file for it, the log hears it at the end.
   [[nodiscard]] Expected<std::optional<Scan>> next();
 
   /// Scans to come, damaged ones included, before the first next(); none where a recording does not say how
@@ -77,6 +80,7 @@ class Inputs {
   io::OpenOptions options_;
   std::deque<Part> parts_;
   std::vector<io::Counter> counters_;  // of the parts that are done
+  std::optional<PoseFile> poses_;
   std::optional<io::Format> format_;
 };
 

@@ -27,6 +27,10 @@ void add_recording_options(CLI::App& verb, InputRequest& request) {
   verb.add_option("--calibration", request.calibration,
                   "angles of the sensor's lasers or layers (lasers: laser_id, vert_correction, ...)")
       ->type_name("FILE");
+  verb.add_option("--poses", request.poses,
+                  "where the sensor was, where the recording does not say it: CSV with frame, x_m, y_m, z_m, "
+                  "qw, qx, qy, qz, stamp_ns")
+      ->type_name("FILE.csv");
   verb.add_option("--frames", request.frames,
                   "only the scans A to B - 1, counted from 0; either may be missing")
       ->type_name("A:B");

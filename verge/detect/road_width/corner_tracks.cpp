@@ -30,6 +30,10 @@ void CornerTracks::leave(CornerSide side, double exit_m, double radius_m) {
   }
 }
 
+void CornerTracks::forget_left() {
+  std::erase_if(tracks_, [](const Track& track) { return track.exit_m.has_value(); });
+}
+
 std::vector<Corner> CornerTracks::at(double way_m, const std::optional<Pose>& T_world_level) {
   std::erase_if(tracks_, [&](const Track& track) {
     return track.exit_m.value_or(track.found.at_m + kLongest_m) < way_m;

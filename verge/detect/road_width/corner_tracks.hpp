@@ -29,6 +29,8 @@ class CornerTracks {
   /// The exit of the last corner of that side that has none yet: the road's edge is there again. The side
   /// road is as wide as the mouth but for the returns of that radius.
   void leave(CornerSide side, double exit_m, double radius_m);
+  /// Without a way to go by, a corner lasts until it is left.
+  void forget_left();
   /// Those at `way_m` whose exit is not passed, or, while it is not known, that began less than 30 m ago; in
   /// the level frame, whose pose is needed for places in the world. Of those entered, the distance is
   /// negative.

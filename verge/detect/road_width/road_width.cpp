@@ -166,6 +166,7 @@ Scene RoadWidth::process(const Scan& scan, Trace* trace) {
     const WidthStep step = state.width_corners.see(roads, state.way_m, step_m, state.tracks);
     if (trace != nullptr) record_step(*trace, step, config_);
   }
+  if (!T_world_level) state.tracks.forget_left();
   return scene_of(scan, roads, state.tracks.at(state.way_m, T_world_level), frame);
 }
 

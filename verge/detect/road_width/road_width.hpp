@@ -152,8 +152,8 @@ struct RoadWidthConfig {
 ///
 /// It needs a road that runs along the level frame's x axis (hypothesis 1), and poses (Scan::T_world_sensor):
 /// without them `combined` does as `fixed`, whose lag is then `lag` scans and whose corners lie where the
-/// first line does. Of a denser sensor, the rings that meet the road nearest to where the four lines would
-/// are taken.
+/// first line does, as long as it is in them. Of a denser sensor, the rings that meet the road nearest to
+/// where the four lines would are taken.
 class RoadWidth final : public Detector {
  public:
   using Config = RoadWidthConfig;
