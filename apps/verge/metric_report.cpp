@@ -95,9 +95,11 @@ std::string corner_lines(const eval::CornerScore& corners) {
                           text_of(corners.m1()), corners.detected, corners.true_corners,
                           text_of(corners.m2()), corners.false_reported, corners.false_presented,
                           text_of(corners.false_discovery_rate()), corners.false_reports, corners.reports)) +
-         line("", fmt::format("median latency {} scans, {} m; median position error {} m",
-                              text_of(median(corners.latency_scans)), text_of(median(corners.latency_m)),
-                              text_of(median(corners.position_error_m))));
+         line("",
+              fmt::format("median latency {} scans, {} m, {} m ahead ({} late); median position error {} m",
+                          text_of(median(corners.latency_scans)), text_of(median(corners.latency_m)),
+                          text_of(median(corners.ahead_m)), corners.late,
+                          text_of(median(corners.position_error_m))));
 }
 
 /// Whether any scan has a junction, true or predicted.
@@ -198,6 +200,7 @@ ordered_json success_json(const eval::SuccessCounts& counts) {
 ordered_json corners_json(const eval::CornerScore& corners) {
   return {{"true_corners", corners.true_corners},
           {"detected", corners.detected},
+          {"late", corners.late},
           {"false_presented", corners.false_presented},
           {"false_reported", corners.false_reported},
           {"reports", corners.reports},
@@ -207,6 +210,7 @@ ordered_json corners_json(const eval::CornerScore& corners) {
           {"false_discovery_rate", figure(corners.false_discovery_rate())},
           {"median_latency_scans", figure(median(corners.latency_scans))},
           {"median_latency_m", figure(median(corners.latency_m))},
+          {"median_ahead_m", figure(median(corners.ahead_m))},
           {"median_position_error_m", figure(median(corners.position_error_m))}};
 }
 

@@ -49,6 +49,18 @@ TEST(CornerScore, ADetectionBetweenFirstSightAndExitCounts) {
   EXPECT_EQ(score.false_reports, 0U);
 }
 
+TEST(CornerScore, ADetectionBehindTheEntranceIsLate) {
+  for (const double distance_m : {0.5, -0.5}) {
+    Corner passed = corner(1, CornerSide::kRight, distance_m, -3.0);
+    passed.distance_m = distance_m;
+    const Scene scene = with_corners({passed});
+    const CornerScore score = score_of({{scene, scene}, {scene, scene}});
+    EXPECT_EQ(score.detected, 1U);
+    EXPECT_EQ(score.late, distance_m < 0.0 ? 1U : 0U);
+    EXPECT_THAT(score.ahead_m, ElementsAre(distance_m));
+  }
+}
+
 TEST(CornerScore, FartherThanTwoMetresOrOnTheOtherSideIsFalse) {
   const CornerScore far =
       score_of({{with_corners({corner(9, CornerSide::kRight, 17.9, -3.0)}), approach(0)}});
