@@ -294,14 +294,15 @@ TEST(Truth, WideGapsBetweenParkedCarsAreFalseCorners) {
     return Item{
         .what = Thing::kCar, .at_m = at_m, .lateral_m = lateral_m, .speed_mps = speed_mps, .length_m = 4.0};
   };
-  road.items = {car(100.0, 3.5, 0.0), car(105.0, 3.5, 0.0), car(111.0, 3.5, 0.0),
+  road.items = {car(100.0, 3.5, 0.0), car(104.9, 3.5, 0.0), car(110.9, 3.5, 0.0),
                 car(116.0, 0.0, 0.0), car(117.0, 3.5, 5.0), car(130.0, 3.5, 0.0)};
   const Scene truth = Stage({road}).scene({90.0, 0.0}, 0.0, 30.0);
-  ASSERT_EQ(truth.corners.size(), 1U);  // gaps of 1, 2 and 15 m; one car is on the road, one drives
+  ASSERT_EQ(truth.corners.size(), 1U);  // gaps of 0.9, 2 and 15 m; one car is on the road, one drives
   EXPECT_EQ(truth.corners[0].confidence, 0.0);
   EXPECT_EQ(truth.corners[0].side, CornerSide::kLeft);
-  EXPECT_NEAR(*truth.corners[0].distance_m, 17.0, 1e-6);
-  EXPECT_NEAR(*truth.corners[0].exit_m, 19.0, 1e-6);
+  EXPECT_NEAR(*truth.corners[0].distance_m, 16.9, 1e-6);
+  EXPECT_NEAR(*truth.corners[0].exit_m, 18.9, 1e-6);
+  EXPECT_NEAR(truth.corners[0].position.y, 2.6, 0.2) << "on the line of the cars' sides, not of the kerb";
 }
 
 TEST(Truth, AnIslandIsABoundaryOfItsOwn) {

@@ -28,15 +28,20 @@ using namespace road_width;  // NOLINT(google-build-using-namespace): the method
 struct RoadWidth::State {
   explicit State(const RoadWidthConfig& config) : width_corners(config), kerb_corners(config) {}
 
-  /// d_v: the way since the scan before; none where a pose is missing.
+  /// d_v: the way since the last scan that was on the way; none where a pose is missing. Less than 5 cm are
+  /// none: poses tremble where a vehicle stands.
   std::optional<double> go_on(const Scan& scan) {
-    const auto before = std::exchange(
-        position, scan.T_world_sensor ? std::optional(scan.T_world_sensor->translation) : std::nullopt);
-    if (!position || !before) return std::nullopt;
-    const double step_m = norm((*position - *before).xy());
+    constexpr double kStanding_m = 0.05;
+    if (!scan.T_world_sensor) position.reset();
+    if (!scan.T_world_sensor) return std::nullopt;
+    const Vec2 here = scan.T_world_sensor->translation.xy();
+    const double step_m = position ? distance(here, *position) : 0.0;
+    if (position && step_m < kStanding_m) return 0.0;
+    const bool is_first = !position;
+    position = here;
     way_m += step_m;
-    turn_to(position->xy());
-    return step_m;
+    turn_to(here);
+    return is_first ? std::nullopt : std::optional(step_m);
   }
 
   /// The course, from one place to another a metre on.
@@ -57,7 +62,7 @@ struct RoadWidth::State {
   WidthCorners width_corners;
   KerbCorners kerb_corners;
   CornerTracks tracks;
-  std::optional<Vec3> position{};
+  std::optional<Vec2> position{};  // where the way was counted to
   std::optional<Vec2> turned_at{};
   std::optional<Vec2> course{};
   double way_m = 0.0;
@@ -89,12 +94,14 @@ std::optional<Boundary> boundary_of(const std::vector<Road>& roads, Side side, c
 
 void record_lines(Trace& trace, const std::vector<Road>& roads, double reach_m, const LevelFrame& frame) {
   Trace::Values lengths{"L", {}};
+  Trace::Values middle{"middle is road", {}};
   Trace::Points edges{"edges", {}, {}};
   for (std::size_t i = 0; i < roads.size(); ++i) {
     Trace::Points points{fmt::format("line {}", i + 1), {}, {}};
     for (const Vec3& p : roads[i].line.level) points.points.push_back(frame.to_sensor(p));
     points.group.assign(points.points.size(), static_cast<int>(i));
     trace.points.push_back(std::move(points));
+    middle.values.push_back(roads[i].road.middle_is_road ? 1.0 : 0.0);
     lengths.values.push_back(length_m(roads[i], reach_m));
     for (const RoadEnd& end : {roads[i].road.left, roads[i].road.right}) {
       if (end.kind == LineEnd::kOpen) continue;
@@ -104,6 +111,7 @@ void record_lines(Trace& trace, const std::vector<Road>& roads, double reach_m, 
   }
   trace.points.push_back(std::move(edges));
   trace.values.push_back(std::move(lengths));
+  trace.values.push_back(std::move(middle));
 }
 
 void record_step(Trace& trace, const WidthStep& done, const RoadWidthConfig& config) {
@@ -160,7 +168,7 @@ Scene RoadWidth::process(const Scan& scan, Trace* trace) {
   std::optional<Pose> T_world_level;
   if (scan.T_world_sensor) T_world_level = level_pose(*scan.T_world_sensor, mount);
   if (config_.reading == CornerReading::kCombined && T_world_level) {
-    if (!roads.empty())
+    if (!roads.empty() && step_m != 0.0)  // a standing vehicle sees nothing new
       state.kerb_corners.see(roads, state.whereabouts(*T_world_level, step_m), state.tracks);
   } else if (are_comparable(roads, config_)) {
     const WidthStep step = state.width_corners.see(roads, state.way_m, step_m, state.tracks);
