@@ -61,6 +61,12 @@ LidarModel make_lux_constant(double rate_hz) {
 
 LidarModel make_alasca(double /*rate_hz*/) { return alasca_lidar(ibeo::alasca_xt(), ibeo_optics(3.2 / 3.0)); }
 
+LidarModel make_coarse_alasca(double /*rate_hz*/) {
+  ibeo::AlascaModel facts = ibeo::alasca_xt();
+  facts.step_rad = deg_to_rad(0.5);
+  return alasca_lidar(std::move(facts), ibeo_optics(3.2 / 3.0));
+}
+
 constexpr std::array kSpins = {5.0, 20.0};
 constexpr std::array kSweeps = {12.5, 25.0, 50.0};
 constexpr std::array kTwentyHertz = {20.0};
@@ -88,8 +94,10 @@ std::span<const SensorEntry> sensors() {
       SensorEntry{"lux", "ibeo LUX: 4 layers, three echoes, finest ahead (at 12.5 Hz)", 12.5, kSweeps, false,
                   make_lux},
       SensorEntry{"lux-constant", "the same with equal steps", 12.5, kSweeps, false, make_lux_constant},
-      SensorEntry{"alasca_xt", "ibeo ALASCA XT: 4 layers, three echoes", 20.0, kTwentyHertz, false,
-                  make_alasca}};
+      SensorEntry{"alasca_xt", "ibeo ALASCA XT: 4 layers, three echoes, steps of 0.25 degrees", 20.0,
+                  kTwentyHertz, false, make_alasca},
+      SensorEntry{"alasca_xt-coarse", "the same with steps of 0.5 degrees", 20.0, kTwentyHertz, false,
+                  make_coarse_alasca}};
   return kSensors;
 }
 

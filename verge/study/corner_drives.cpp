@@ -47,7 +47,7 @@ sim::DriveConfig drive_past(const CornerKind& kind, std::uint64_t drive) {
   sim::DriveConfig config;
   config.scenario = sim::ready_scenario(fmt::format("paper1-r{:g}-v{:g}", kind.radius_m, kind.speed_kmh));
   vary(config.scenario, drive);
-  config.sensor = sim::sensor_named("alasca_xt");
+  config.sensor = sim::sensor_named(kind.coarse ? "alasca_xt-coarse" : "alasca_xt");
   config.noise.seed = drive;
   config.noise.range_sigma_m = 0.03;
   config.truth_lines = false;

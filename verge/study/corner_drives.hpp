@@ -16,6 +16,7 @@ namespace verge::study {
 struct CornerKind {
   double radius_m = 3.0;  ///< Of the kerb returns.
   double speed_kmh = 30.0;
+  bool coarse = false;  ///< 0.5 degrees from point to point in the place of 0.25.
 };
 
 /// Drives of 385 m past four side roads of 4 to 5 m each, and past what looks like one: driveways of 1 to

@@ -29,21 +29,25 @@ constexpr std::array kTable1 = {
     Row{3.0, 10.0, 0.8390, 0.1789}, Row{3.0, 30.0, 0.8378, 0.1531}, Row{3.0, 60.0, 0.8415, 0.1156},
     Row{8.0, 10.0, 0.7121, 0.1850}, Row{8.0, 30.0, 0.7351, 0.1538}, Row{8.0, 60.0, 0.7217, 0.1094}};
 
-}  // namespace
-
-Suite paper1_suite(const SuiteRequest& request) {
+Suite suite_of(const SuiteRequest& request, bool coarse) {
   Suite suite;
-  suite.name = "paper1";
-  suite.title = "Paper 1: true and false corners";
+  suite.name = coarse ? "paper1-coarse" : "paper1";
+  suite.title =
+      fmt::format("Paper 1: true and false corners, {:g} degrees from point to point", coarse ? 0.5 : 0.25);
   suite.about = corner_measures() + " The paper prints no counts and drove other roads.";
   suite.judged = {.boundaries = false, .corners = true, .objects = false};
   for (const Row& row : kTable1) {
     suite.cells.push_back({.name = fmt::format("{:g} m, {:g} km/h", row.radius_m, row.speed_kmh),
-                           .scans = corner_drives({row.radius_m, row.speed_kmh}, kDrives, request)});
+                           .scans = corner_drives({row.radius_m, row.speed_kmh, coarse}, kDrives, request)});
     suite.printed.push_back({suite.cells.back().name, "paper 1, printed", {{"m1", row.m1}, {"m2", row.m2}}});
   }
   suite.columns = corner_columns();
   return suite;
 }
+
+}  // namespace
+
+Suite paper1_suite(const SuiteRequest& request) { return suite_of(request, false); }
+Suite paper1_coarse_suite(const SuiteRequest& request) { return suite_of(request, true); }
 
 }  // namespace verge::study

@@ -28,6 +28,7 @@ Suite checked(Suite suite) {
 std::span<const SuiteEntry> suites() {
   static constexpr std::array kSuites = {
       SuiteEntry{"paper1", "M1 and M2 by corner radius and speed, four-layer scanner", paper1_suite},
+      SuiteEntry{"paper1-coarse", "the same with points half a degree apart", paper1_coarse_suite},
       SuiteEntry{"paper2", "a two-lane road between parked cars, LUX", paper2_suite},
       SuiteEntry{"paper3", "670 frames, and 230 straight and 80 corner ones, HDL-32E", paper3_suite},
       SuiteEntry{"real", "the labelled public sets", real_suite},
