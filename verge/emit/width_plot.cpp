@@ -121,7 +121,9 @@ class WidthPainter {
     const double most = std::ceil(high / step) * step;
     const auto y_of = [=](double value) { return top + kPanel_px * (most - value) / (most - least); };
     draw_states(top);
-    for (double value = least; value < most + 0.5 * step; value += step) {
+    const int ticks = static_cast<int>(std::round((most - least) / step));
+    for (int i = 0; i <= ticks; ++i) {
+      const double value = least + step * i;
       canvas_.line(std::array{Vec2{kLeft_px, y_of(value)}, Vec2{kWidth_px - kRight_px, y_of(value)}},
                    {1.0, kRing, {}});
       canvas_.text({kLeft_px - 12.0, y_of(value) + 6.0}, fmt::format("{:g}", std::round(value / step) * step),
@@ -190,9 +192,10 @@ class WidthPainter {
   }
 
   void draw_axis(double bottom) {
-    const double step = std::max(1.0, round_length(static_cast<double>(plot_.size()) / 6.0));
-    for (double scan = 0.0; scan < static_cast<double>(plot_.size()); scan += step) {
-      canvas_.text({x_of(static_cast<std::size_t>(scan)), bottom + 24.0}, fmt::format("{:g}", scan),
+    const auto step = static_cast<std::size_t>(
+        std::max(1.0, round_length(std::max(1.0, static_cast<double>(plot_.size())) / 6.0)));
+    for (std::size_t scan = 0; scan < plot_.size(); scan += step) {
+      canvas_.text({x_of(scan), bottom + 24.0}, fmt::format("{}", scan),
                    {.size = 17.0, .colour = kFaintText, .align = Align::kCentre});
     }
     canvas_.text({kLeft_px, bottom + 48.0},

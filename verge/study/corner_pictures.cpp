@@ -92,42 +92,53 @@ const Corner* first_true(const Scene& truth, std::optional<int>& id) {
   return nullptr;
 }
 
-}  // namespace
-
-Expected<std::vector<Picture>> corner_pictures(const Results& results) {
-  std::vector<Picture> pictures;
-  const Cell& cell = results.suite.cells[results.suite.cells.size() / 2];
-  const auto* drives = std::get_if<MadeDrives>(&cell.scans);
-  if (!results.suite.judged.corners || drives == nullptr) return pictures;
+std::vector<Follower> followers_of(const Results& results) {
   std::vector<Follower> followers;
   for (const Contestant& contestant : results.contestants) {
     if (contestant.says.corners && !contestant.predictions)
       followers.push_back({contestant, detector_of(contestant), {}});
   }
-  if (followers.empty()) return pictures;
-  const sim::Drive drive(drives->make(kDrive));
+  return followers;
+}
+
+/// The lines of the first method in each phase; all methods see the whole drive.
+Expected<std::vector<Picture>> drive_past(const MadeDrives& drives, std::vector<Follower>& followers) {
+  std::vector<Picture> pictures;
+  const sim::Drive drive(drives.make(kDrive));
   std::optional<int> corner_id;
-  std::size_t phase = 0;
-  for (std::size_t i = 0; i < std::min(kScans, drives->scans); ++i) {
+  for (std::size_t i = 0; i < std::min(kScans, drives.scans); ++i) {
     sim::Simulated simulated = drive.scan(i);
-    const Scan scan = told(thin(std::move(simulated.scan), drives->lost, kDrive, i), *drives);
+    const Scan scan = told(thin(std::move(simulated.scan), drives.lost, kDrive, i), drives);
+    const Corner* corner = first_true(simulated.truth, corner_id);
     for (Follower& follower : followers) {
       const pipeline::Frame frame = seen_by(follower, scan);
       follower.widths.add(frame.scene, *frame.trace);
-      if (&follower != &followers.front() || phase == kPhases.size()) continue;
-      const Corner* corner = first_true(simulated.truth, corner_id);
-      if (corner == nullptr || !is_in(kPhases.at(phase).first, *corner)) continue;
-      auto picture = from_above(frame, simulated.truth, kPhases.at(phase++).second);
+      if (&follower != &followers.front() || pictures.size() == kPhases.size() || corner == nullptr) continue;
+      const auto& [phase, name] = kPhases.at(pictures.size());
+      if (!is_in(phase, *corner)) continue;
+      auto picture = from_above(frame, simulated.truth, name);
       if (!picture) return Unexpected(std::move(picture).error());
       pictures.push_back(*std::move(picture));
     }
   }
+  return pictures;
+}
+
+}  // namespace
+
+Expected<std::vector<Picture>> corner_pictures(const Results& results) {
+  const Cell& cell = results.suite.cells[results.suite.cells.size() / 2];
+  const auto* drives = std::get_if<MadeDrives>(&cell.scans);
+  std::vector<Follower> followers = followers_of(results);
+  if (!results.suite.judged.corners || drives == nullptr || followers.empty()) return std::vector<Picture>{};
+  auto pictures = drive_past(*drives, followers);
+  if (!pictures) return pictures;
   for (const Follower& follower : followers) {
     if (!follower.widths.has_lengths()) continue;
     auto png = follower.widths.png();
     if (!png) return Unexpected(std::move(png).error());
-    pictures.push_back({*std::move(png), fmt::format("{}: the road's width from scan to scan; {}, drive {}",
-                                                     follower.contestant.name, cell.name, kDrive)});
+    pictures->push_back({*std::move(png), fmt::format("{}: the road's width from scan to scan; {}, drive {}",
+                                                      follower.contestant.name, cell.name, kDrive)});
   }
   return pictures;
 }

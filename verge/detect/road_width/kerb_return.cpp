@@ -70,7 +70,8 @@ double misfit(std::span<const Stretch> all, double begin_m, double radius_m, dou
 /// Share of the points from `first_m` on that lie on the circle, or as deep as it is beyond it.
 double share_on(std::span<const KerbPoint> points, double first_m, double begin_m, double radius_m) {
   constexpr double kNear_m = 0.15;
-  double on = 0.0, all = 0.0;
+  double on = 0.0;
+  double all = 0.0;
   for (const KerbPoint& p : points) {
     if (p.along_m < first_m) continue;
     const double off_m = std::min(p.outward_m, kDeepest_m) - left_m(p.along_m - begin_m, radius_m);
@@ -95,7 +96,11 @@ std::optional<KerbReturn> fit_kerb_return(std::span<const KerbPoint> points, dou
   }
   const auto best = std::min_element(misfits.begin(), misfits.end());
   const double least = *best;
-  double sum = 0.0, begin = 0.0, squares = 0.0, wide = 0.0, log_radius = 0.0;
+  double sum = 0.0;
+  double begin = 0.0;
+  double squares = 0.0;
+  double wide = 0.0;
+  double log_radius = 0.0;
   for (std::size_t k = 0; k < misfits.size(); ++k) {
     const double weight = std::exp(-0.5 * (misfits[k] - least));
     const double before_m = -kBefore_m + kStep_m * static_cast<double>(k % kBegins);

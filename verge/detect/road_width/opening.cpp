@@ -28,7 +28,8 @@ double depth_m(std::span<const KerbPoint> points, double from_m) {
 std::optional<Opening> last_opening(std::span<const KerbPoint> points, double widened_m) {
   std::optional<Opening> opening;
   std::optional<double> inside_m;
-  std::size_t beyond = 0, inside = kInARow;
+  std::size_t beyond = 0;
+  std::size_t inside = kInARow;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const KerbPoint& point = points[i];
     if (!is_beyond(point, widened_m)) {
