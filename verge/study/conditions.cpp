@@ -6,6 +6,10 @@
 
 namespace verge::study {
 
+void set_noise(sim::DriveConfig& config, double value) { config.noise.range_sigma_m = value; }
+
+void set_kerb(sim::DriveConfig& config, double value) { config.scenario.roads[0].kerb_m = value; }
+
 void add_condition(std::vector<Cell>& cells, const std::string& condition, const std::vector<double>& values,
                    const MadeDrives& usual, const Change& change) {
   for (const double value : values) {

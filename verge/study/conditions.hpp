@@ -13,6 +13,10 @@ namespace verge::study {
 /// What a value of a condition does to a drive.
 using Change = std::function<void(sim::DriveConfig&, double value)>;
 
+/// Deviation of the ranges, and height of the first road's kerbs, metres.
+void set_noise(sim::DriveConfig& config, double value);
+void set_kerb(sim::DriveConfig& config, double value);
+
 /// A cell a value: the usual drives, changed. Named by condition and value.
 void add_condition(std::vector<Cell>& cells, const std::string& condition, const std::vector<double>& values,
                    const MadeDrives& usual, const Change& change);

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "verge/core/angle.hpp"
 #include "verge/sim/ready.hpp"
 #include "verge/sim/sensors.hpp"
 #include "verge/study/suite_list.hpp"
@@ -54,10 +53,6 @@ sim::DriveConfig drive_past(const CornerKind& kind, std::uint64_t drive) {
   return config;
 }
 
-Mount told(const sim::Stand& stand) {
-  return {.height_m = stand.height_m, .pitch_rad = deg_to_rad(stand.pitch_deg)};
-}
-
 }  // namespace
 
 MadeDrives corner_drives(const CornerKind& kind, std::size_t drives, const SuiteRequest& request) {
@@ -65,7 +60,7 @@ MadeDrives corner_drives(const CornerKind& kind, std::size_t drives, const Suite
   return {.make = [kind](std::uint64_t drive) { return drive_past(kind, drive); },
           .drives = request.drives.value_or(drives),
           .scans = request.scans.value_or(scans),
-          .mount = told(drive_past(kind, 1).scenario.stand)};
+          .mount = sim::mount_of(drive_past(kind, 1).scenario.stand)};
 }
 
 std::vector<Column> corner_columns() {

@@ -17,10 +17,6 @@ namespace {
 constexpr std::size_t kDrives = 25;  // 100 true corners a value
 constexpr double kCar_m = 4.5;
 
-void set_noise(sim::DriveConfig& config, double value) { config.noise.range_sigma_m = value; }
-
-void set_kerb(sim::DriveConfig& config, double value) { config.scenario.roads[0].kerb_m = value; }
-
 /// Methods go on to be told the usual pitch.
 void add_pitch(sim::DriveConfig& config, double value) { config.scenario.stand.pitch_deg += value; }
 

@@ -29,10 +29,6 @@ sim::DriveConfig usual(std::uint64_t drive) {
   return config;
 }
 
-void set_noise(sim::DriveConfig& config, double value) { config.noise.range_sigma_m = value; }
-
-void set_kerb(sim::DriveConfig& config, double value) { config.scenario.roads[0].kerb_m = value; }
-
 void set_pitch(sim::DriveConfig& config, double value) { config.scenario.stand.pitch_deg = value; }
 
 /// Parked cars along this share of both kerbs.

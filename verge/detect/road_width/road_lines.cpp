@@ -41,7 +41,7 @@ LineSearch search_of(const LayerLine& line, const RoadWidthConfig& config) {
                     .y_thres_m2 = config.y_thres_m2,
                     .x_thres_m2 = config.x_thres_m2,
                     .tangent = line.tangent};
-  const bool printed = config.reading == CornerReading::kPaper;
+  const bool printed = config.is_printed();
   if (!printed) search.y_thres_m2 = std::max(config.y_thres_m2, config.noise_factor * noise_m2(line));
   search.refine = !printed;
   search.bridge = printed ? 0 : static_cast<std::size_t>(config.bridge);

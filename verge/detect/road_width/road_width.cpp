@@ -70,11 +70,9 @@ struct RoadWidth::State {
 
 namespace {
 
-bool is_printed(const RoadWidthConfig& config) { return config.reading == CornerReading::kPaper; }
-
 /// Whether there are lines to compare, and the vehicle is on the road (hypothesis 1; not tested as printed).
 bool are_comparable(const std::vector<Road>& roads, const RoadWidthConfig& config) {
-  return roads.size() > 1 && (is_printed(config) || roads.front().road.middle_is_road);
+  return roads.size() > 1 && (config.is_printed() || roads.front().road.middle_is_road);
 }
 
 /// The edges of a side, nearest line first, where two lines or more have one.

@@ -68,6 +68,8 @@ struct RoadWidthConfig {
   double widest_return_m = 12.0;
   double turned_m = 0.25;
 
+  [[nodiscard]] bool is_printed() const { return reading == CornerReading::kPaper; }
+
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.reading,

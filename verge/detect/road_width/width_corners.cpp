@@ -21,11 +21,9 @@ struct Pair {
 };
 constexpr std::array kPairs = {Pair{0, 3}, Pair{0, 2}, Pair{0, 1}, Pair{1, 3}};
 
-bool is_printed(const RoadWidthConfig& config) { return config.reading == CornerReading::kPaper; }
-
 CornerThresholds thresholds_of(const RoadWidthConfig& config) {
   const LayerGeometry lines{.nearest_rad = config.nearest_rad, .span_rad = config.span_rad};
-  const bool printed = is_printed(config);
+  const bool printed = config.is_printed();
   return {.ds_m = config.ds_thres_m,
           .dd_m = config.dd_thres_m,
           .k = static_cast<std::size_t>(config.k_thres),
@@ -75,13 +73,13 @@ void Widening::see(const FirstLine& line, double way_m) {
 
 WidthCorners::WidthCorners(const RoadWidthConfig& config)
     : config_(config),
-      pairs_(is_printed(config) || config.pairs == 0 ? 1 : kPairs.size(),
+      pairs_(config.is_printed() || config.pairs == 0 ? 1 : kPairs.size(),
              CornerStates(thresholds_of(config))),
       widening_(config.widened_m) {}
 
 /// h: in the paper's reading a number of scans, else a way, so that a slow vehicle looks farther back.
 std::size_t WidthCorners::lag_of(std::optional<double> step_m) const {
-  if (is_printed(config_) || !step_m) return static_cast<std::size_t>(config_.lag);
+  if (config_.is_printed() || !step_m) return static_cast<std::size_t>(config_.lag);
   constexpr double kMost = 20.0;
   const double least = static_cast<double>(config_.k_thres) + 2.0;
   if (*step_m <= 0.0) return static_cast<std::size_t>(kMost);
