@@ -27,13 +27,7 @@ sim::DriveConfig config_of(const std::string& sensor, bool mirrored) {
                           .sensor = sim::sensor_named(sensor),
                           .noise = {.seed = 5, .range_sigma_m = 0.03},
                           .truth_lines = false};
-  if (!mirrored) return config;
-  for (sim::RoadConfig& road : config.scenario.roads) {
-    road.side = sim::opposite(road.side);
-    for (sim::Gap& gap : road.gaps) gap.side = sim::opposite(gap.side);
-    for (sim::Bay& bay : road.bays) bay.side = sim::opposite(bay.side);
-    for (sim::Row& row : road.rows) row.side = sim::opposite(row.side);
-  }
+  if (mirrored) sim::mirror(config.scenario);
   return config;
 }
 

@@ -13,4 +13,13 @@ Mount mount_of(const Stand& stand) {
           .forward_rad = deg_to_rad(stand.forward_deg)};
 }
 
+void mirror(Scenario& scenario) {
+  for (RoadConfig& road : scenario.roads) {
+    road.side = opposite(road.side);
+    for (Gap& gap : road.gaps) gap.side = opposite(gap.side);
+    for (Bay& bay : road.bays) bay.side = opposite(bay.side);
+    for (Row& row : road.rows) row.side = opposite(row.side);
+  }
+}
+
 }  // namespace verge::sim

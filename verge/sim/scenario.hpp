@@ -71,4 +71,7 @@ struct Scenario {
 /// The mount that says the same.
 [[nodiscard]] Mount mount_of(const Stand& stand);
 
+/// Gaps, bays, rows and branches of all roads change sides; center lines, items and islands stay.
+void mirror(Scenario& scenario);
+
 }  // namespace verge::sim

@@ -16,15 +16,6 @@ namespace {
 constexpr double kRate_hz = 20.0;  // of the scanner, as the paper has it
 constexpr double kWay_m = 385.0;   // of the ready scenario's 400 m
 
-void mirror(sim::Scenario& scenario) {
-  for (sim::RoadConfig& road : scenario.roads) {
-    road.side = sim::opposite(road.side);
-    for (sim::Gap& gap : road.gaps) gap.side = sim::opposite(gap.side);
-    for (sim::Bay& bay : road.bays) bay.side = sim::opposite(bay.side);
-    for (sim::Row& row : road.rows) row.side = sim::opposite(row.side);
-  }
-}
-
 void vary(sim::Scenario& scenario, std::uint64_t drive) {
   std::uint64_t which = 0;
   const auto between = [&](double low, double high) { return drawn(drive, which++, low, high); };
@@ -39,7 +30,7 @@ void vary(sim::Scenario& scenario, std::uint64_t drive) {
     road.at_m += between(-3.0, 3.0);
     road.width_m = road.driveway ? between(1.0, 2.5) : between(4.0, 5.0);
   }
-  if (between(0.0, 1.0) < 0.5) mirror(scenario);
+  if (between(0.0, 1.0) < 0.5) sim::mirror(scenario);
 }
 
 sim::DriveConfig drive_past(const CornerKind& kind, std::uint64_t drive) {
