@@ -113,18 +113,22 @@ std::optional<FoundCorner> KerbCorners::corner_of(const Opening& opening,
   constexpr double kTurning_m = 1.0;
   constexpr double kSure = 0.95;
   constexpr double kRound = 0.7;
+  constexpr double kSigmas = 2.0;
   constexpr double kSharp_m = 0.16;  // sigma with which one need not wait
   const auto turn = turn_at(points, opening.first_m, kerb);
   if (!turn) return std::nullopt;
-  const double length = opening.last_m - opening.first_m;
-  const bool is_long = length >= config_.opening_m && opening.depth_m >= config_.bay_m;
-  const bool is_wide = length >= kTurning_m && turn->wide >= kSure && turn->share >= kRound &&
-                       opening.depth_m >= config_.turned_m;
-  if (!is_long && !is_wide) return std::nullopt;
   const double ahead_m = turn->begin_m - here.way_m;
   if (ahead_m < 0.0) return std::nullopt;
   const bool is_last_chance = ahead_m < 1.5 * here.step_m + 0.5;
   if (turn->sigma_m > kSharp_m && !is_last_chance) return std::nullopt;
+  const double seen_m = opening.last_m - opening.first_m;
+  // A round corner turns for a while before it is seen beyond the kerb: where it surely has begun.
+  const double surely_m = opening.last_m - (turn->begin_m + kSigmas * turn->sigma_m);
+  const double length_m = is_last_chance ? std::max(seen_m, surely_m) : seen_m;
+  const bool is_long = length_m >= config_.opening_m && opening.depth_m >= config_.bay_m;
+  const bool is_wide = seen_m >= kTurning_m && turn->wide >= kSure && turn->share >= kRound &&
+                       opening.depth_m >= config_.turned_m;
+  if (!is_long && !is_wide) return std::nullopt;
   return FoundCorner{.at_m = turn->begin_m, .sigma_m = turn->sigma_m, .radius_m = turn->radius_m};
 }
 
