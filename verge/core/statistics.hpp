@@ -4,8 +4,13 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace verge {
+
+/// The value at `position` (0 .. n - 1) of the n values in ascending order v_0 .. v_{n-1}; between two of
+/// them by linear interpolation. The values must be finite, and at least one; they are reordered. O(n).
+[[nodiscard]] double value_at_rank(std::vector<double>& values, double position);
 
 /// The `percent` percentile (0..100) by linear interpolation between order statistics: with the n values in
 /// ascending order v_0..v_{n-1}, the value at position (n - 1) percent / 100 (Hyndman and Fan 1996, type 7;

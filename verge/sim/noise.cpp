@@ -6,29 +6,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "verge/core/random.hpp"
+
 namespace verge::sim {
 namespace {
-
-// The finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators",
-// OOPSLA 2014): every bit of the input turns about half of the output's.
-std::uint64_t mix(std::uint64_t z) {
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-  return z ^ (z >> 31U);
-}
 
 // One step of the key: the state so far and the next number of the key.
 std::uint64_t absorb(std::uint64_t state, std::uint64_t number) {
   constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15ULL;
-  return mix(state + kGolden * (number + 1));
+  return mix_bits(state + kGolden * (number + 1));
 }
-
-double to_unit_interval(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1p-53; }
 
 }  // namespace
 
 std::uint64_t random_bits(const RayKey& key, Draw draw, std::uint64_t index) {
-  std::uint64_t state = mix(key.seed);
+  std::uint64_t state = mix_bits(key.seed);
   for (const std::uint64_t number : std::array{key.scan, key.ray, static_cast<std::uint64_t>(draw), index}) {
     state = absorb(state, number);
   }
