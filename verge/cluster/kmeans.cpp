@@ -92,14 +92,21 @@ std::size_t least(std::span<const Point> points, std::span<const double> keys) {
 }
 
 template <class Point>
+std::optional<Point> medoid_of_mean(std::span<const Point> points) {
+  if (points.empty()) return std::nullopt;
+  const Point mean = mean_of(points);
+  std::vector<double> keys(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) keys[i] = squared_distance(points[i], mean);
+  return points[least(points, std::span<const double>(keys))];
+}
+
+template <class Point>
 std::vector<Point> spread(std::span<const Point> points, std::size_t k) {
   if (points.empty() || k == 0) return {};
-  std::vector<double> keys(points.size());
-  const Point mean = mean_of(points);
-  for (std::size_t i = 0; i < points.size(); ++i) keys[i] = squared_distance(points[i], mean);
-  std::vector<Point> centres{points[least(points, std::span<const double>(keys))]};
-  std::ranges::fill(keys,
-                    -std::numeric_limits<double>::infinity());  // minus the squared distance from the centres
+  std::vector<Point> centres{*medoid_of_mean(points)};
+  std::vector<double> keys(
+      points.size(),
+      -std::numeric_limits<double>::infinity());  // minus the squared distance from the centres
   while (centres.size() < k) {
     for (std::size_t i = 0; i < points.size(); ++i)
       keys[i] = std::max(keys[i], -squared_distance(points[i], centres.back()));
@@ -120,6 +127,9 @@ KMeansResult<Vec3> kmeans(std::span<const Vec3> points, std::span<const Vec3> in
                           const KMeansOptions& options) {
   return lloyd(points, initial, options);
 }
+
+std::optional<Vec2> nearest_to_mean(std::span<const Vec2> points) { return medoid_of_mean(points); }
+std::optional<Vec3> nearest_to_mean(std::span<const Vec3> points) { return medoid_of_mean(points); }
 
 std::vector<Vec2> farthest_first(std::span<const Vec2> points, std::size_t k) { return spread(points, k); }
 std::vector<Vec3> farthest_first(std::span<const Vec3> points, std::size_t k) { return spread(points, k); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,7 +35,12 @@ struct KMeansResult {
 [[nodiscard]] KMeansResult<Vec3> kmeans(std::span<const Vec3> points, std::span<const Vec3> initial,
                                         const KMeansOptions& options = {});
 
-/// k centres to start from, where none are known: first the point nearest to the mean, then again and again
+/// The point nearest to the mean of all, which paper 2 (IV, Eq. (7) to (10)) takes for a cluster's centre; of
+/// equals the lowest in x, then y, then z. None of no points.
+[[nodiscard]] std::optional<Vec2> nearest_to_mean(std::span<const Vec2> points);
+[[nodiscard]] std::optional<Vec3> nearest_to_mean(std::span<const Vec3> points);
+
+/// k centres to start from, where none are known: first nearest_to_mean, then again and again
 /// the point farthest from all centres so far. Of equals the lowest in x, then y, then z: the order of the
 /// points plays no part. Fewer than k where there are fewer distinct points. O(n k).
 [[nodiscard]] std::vector<Vec2> farthest_first(std::span<const Vec2> points, std::size_t k);

@@ -181,6 +181,23 @@ TEST(KMeans, SeparatedGroupsGiveTheBestOfAllLabellings) {
   });
 }
 
+TEST(NearestToMean, IsTheCentroidOfPaperTwosTableFour) {
+  const std::vector<Vec2> points{{61.0, 100.0}, {64.0, 150.0}, {70.0, 140.0}};  // A, B, C
+  const Vec2 mean = kmeans(points, std::span(points).first(1)).centres[0];
+  EXPECT_EQ(mean, (Vec2{65.0, 130.0}));                    // Eq. (7)
+  EXPECT_NEAR(distance(mean, points[0]), 30.27, 5e-3);     // Eq. (8)
+  EXPECT_NEAR(distance(mean, points[1]), 20.02, 5.01e-3);  // Eq. (9): 20.0250, printed as 20.02
+  EXPECT_NEAR(distance(mean, points[2]), 11.18, 5e-3);     // Eq. (10)
+  EXPECT_EQ(nearest_to_mean(points), points[2]);
+  EXPECT_EQ(farthest_first(points, 2), (std::vector<Vec2>{points[2], points[0]}));
+}
+
+TEST(NearestToMean, OfEquallyNearPointsIsTheLowestAndOfNoneNone) {
+  EXPECT_EQ(nearest_to_mean(std::vector<Vec2>{{1.0, 0.0}, {-1.0, 0.0}}), (Vec2{-1.0, 0.0}));
+  EXPECT_FALSE(nearest_to_mean(std::vector<Vec2>{}));
+  EXPECT_EQ(nearest_to_mean(std::vector<Vec3>{{0.0, 0.0, 4.0}}), (Vec3{0.0, 0.0, 4.0}));
+}
+
 TEST(FarthestFirst, StartsAtTheMedoidOfTheMeanAndGoesToTheFarthest) {
   const std::vector<Vec2> points{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {10.0, 0.0}};
   EXPECT_EQ(farthest_first(points, 3), (std::vector<Vec2>{{2.0, 0.0}, {10.0, 0.0}, {0.0, 0.0}}));
