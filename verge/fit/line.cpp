@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "verge/fit/finite.hpp"
+
 namespace verge::fit {
 namespace {
 
@@ -37,10 +39,6 @@ Moments moments(std::span<const Vec2> points, std::span<const double> weights) {
   return m;
 }
 
-bool all_finite(std::span<const Vec2> points) {
-  return std::ranges::all_of(points, [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
-}
-
 /// Whether two points of positive weight differ under `differ`. Exact: the scatter cannot tell, because the
 /// mean of equal points may be rounded.
 template <class Differ>
@@ -67,14 +65,16 @@ Vec2 principal_axis(const Moments& m) {
                            : forward_unit({2.0 * m.xy, spread - difference});
 }
 
+}  // namespace
+
+Line line_along(Vec2 point, Vec2 direction) { return {point, forward_unit(direction)}; }
+
 LineFit measured(const Line& line, std::span<const Vec2> points, std::span<const double> weights,
                  std::vector<double> final_weights) {
   std::vector<double> distances(points.size());
   std::ranges::transform(points, distances.begin(), [&](Vec2 p) { return signed_distance(line, p); });
   return {line, summarise(std::move(distances), weights), std::move(final_weights)};
 }
-
-}  // namespace
 
 double station(const Line& line, Vec2 p) { return dot(line.direction, p - line.centroid); }
 
@@ -95,7 +95,7 @@ std::optional<LineFit> fit_line_ordinary(std::span<const Vec2> points, std::span
   const auto differ = [](Vec2 a, Vec2 b) { return a.x != b.x; };
   if (!all_finite(points) || !any_two(points, weights, differ)) return std::nullopt;
   const Moments m = moments(points, weights);
-  return measured({m.centroid, forward_unit({m.xx, m.xy})}, points, weights,
+  return measured(line_along(m.centroid, {m.xx, m.xy}), points, weights,
                   weights_or_ones(weights, points.size()));
 }
 

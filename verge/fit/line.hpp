@@ -14,7 +14,7 @@ namespace verge::fit {
 
 /// A straight line in the plane, metres.
 struct Line {
-  Vec2 centroid;  ///< A point of the line: the (weighted) mean of the points that it was fitted to.
+  Vec2 centroid;  ///< A point of the line: for least squares the (weighted) mean of the points fitted to.
   Vec2 direction{1.0, 0.0};  ///< Unit vector with x > 0, or (0, 1).
 };
 
@@ -25,11 +25,19 @@ struct Line {
 /// The line's point at that station.
 [[nodiscard]] Vec2 point_at(const Line& line, double station_m);
 
+/// The line through `point` along `direction`, which may have any length but 0.
+[[nodiscard]] Line line_along(Vec2 point, Vec2 direction);
+
 struct LineFit {
   Line line;
-  Residuals residuals;          ///< Orthogonal for every fit here, so that they compare.
+  Residuals residuals;          ///< Orthogonal for every fit of a line, so that they compare.
   std::vector<double> weights;  ///< What each point weighed in the end.
 };
+
+/// The line with its residuals at the points. `weights`: empty, or one for each point, one of them positive;
+/// `final_weights`: what the fit made of them.
+[[nodiscard]] LineFit measured(const Line& line, std::span<const Vec2> points,
+                               std::span<const double> weights, std::vector<double> final_weights);
 
 /// Straight line by orthogonal (total) least squares: it goes through the weighted mean along the principal
 /// axis of the scatter, and turning the points turns the line. `weights`: empty, or one finite weight >= 0
