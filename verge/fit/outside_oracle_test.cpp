@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Every comparison with an outside library (Eigen and its Splines module), in one file: its templates take
-// long to compile, and the room itself does without them.
+// long to compile.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -18,6 +18,8 @@
 #include "verge/fit/bspline_least_squares.hpp"
 #include "verge/fit/knots.hpp"
 #include "verge/fit/line.hpp"
+#include "verge/fit/polynomial.hpp"
+#include "verge/fit/test_clusters.hpp"
 #include "verge/fit/test_points.hpp"
 
 namespace verge::fit {
@@ -46,6 +48,48 @@ Eigen::MatrixXd dense_penalty(const std::vector<double>& knots, std::size_t degr
     rows(i, i + 1) = -rows(i, i) - rows(i, i + 2);
   }
   return rows;
+}
+
+/// Ratio of the greatest to the least singular value of the 17 columns of a polynomial of degree 16; `column`
+/// gives the k-th from x.
+template <class Column>
+double condition(const std::vector<Vec2>& points, Column column) {
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 17);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    for (Eigen::Index k = 0; k < 17; ++k)
+      rows(i, k) = column(static_cast<int>(k), points[static_cast<std::size_t>(i)].x);
+  }
+  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(rows).singularValues();
+  return singular(0) / singular(16);
+}
+
+/// For the powers of x in metres; of x about its mean over its deviation; and for Chebyshev's polynomials of
+/// x on [-1, 1].
+std::vector<double> conditions(const std::vector<Vec2>& points) {
+  const auto n = static_cast<double>(points.size());
+  double mean = 0.0;
+  for (const Vec2 p : points) mean += p.x / n;
+  double variance = 0.0;
+  for (const Vec2 p : points) variance += (p.x - mean) * (p.x - mean) / (n - 1.0);
+  const Polynomial scale = fit_polynomial(points, 1).value().curve;
+  return {condition(points, [](int k, double x) { return std::pow(x, k); }),
+          condition(points, [&](int k, double x) { return std::pow((x - mean) / std::sqrt(variance), k); }),
+          condition(points, [&](int k, double x) {
+            Polynomial column{scale.middle_m, scale.half_m, std::vector<double>(17, 0.0)};
+            column.chebyshev_m[static_cast<std::size_t>(k)] = 1.0;
+            return value_at(column, x);
+          })};
+}
+
+TEST(OutsideOracle, ChebyshevsBasisIsWellConditionedWherePowersAreNot) {
+  const auto edge = conditions(testing::straight_edge(60, 1));
+  const auto car = conditions(testing::l_shaped_car(0.25, 3));
+  EXPECT_GT(edge[0], 1e25);  // 3e29: of no use in double precision
+  EXPECT_GT(car[0], 1e25);
+  EXPECT_NEAR(edge[1], 2.9e6, 0.2e6);
+  EXPECT_GT(car[1], 1e11);  // 5e11
+  EXPECT_NEAR(edge[2], 2.84, 0.1);
+  EXPECT_NEAR(car[2], 541.0, 10.0);
 }
 
 TEST(OutsideOracle, TheLinesDirectionIsTheFirstEigenvectorOfTheScatter) {

@@ -11,7 +11,7 @@ namespace verge::fit {
 /// How far the points of a fit lie from its curve, metres.
 struct Residuals {
   /// For each input point, in its order: the orthogonal distance to the curve, positive to the left of the
-  /// curve's direction.
+  /// curve's direction. (Of polynomials, along y.)
   std::vector<double> signed_m;
   /// Root of the weighted mean of squares.
   double rms_m = 0.0;
