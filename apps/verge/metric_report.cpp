@@ -224,6 +224,13 @@ ordered_json junctions_json(const eval::JunctionScore& junctions) {
           {"detection_distance_m", figure(junctions.detection_distance_m())}};
 }
 
+ordered_json boxes_json(const eval::BoxScore& boxes) {
+  return {{"truth", boxes.truth},
+          {"mean_overlap", figure(mean(boxes.overlap))},
+          {"share_above_0.7", figure(boxes.share_above(0.7))},
+          {"percentile_95_heading_error_rad", figure(percentile(boxes.heading_error_rad, 95.0))}};
+}
+
 ordered_json objects_json(const eval::ObjectScore& objects) {
   ordered_json json = {
       {"predicted", objects.predicted},
@@ -235,7 +242,9 @@ ordered_json objects_json(const eval::ObjectScore& objects) {
       {"under_segmented", objects.under_segmented},
       {"mean_heading_error_rad", figure(mean(objects.heading_error_rad))},
       {"percentile_95_heading_error_rad", figure(percentile(objects.heading_error_rad, 95.0))},
-      {"mean_corner_error_m", figure(mean(objects.corner_error_m))}};
+      {"mean_corner_error_m", figure(mean(objects.corner_error_m))},
+      {"cars", boxes_json(objects.cars)},
+      {"two_faced_cars", boxes_json(objects.two_faced_cars)}};
   for (std::size_t i = 0; i < eval::ObjectScore::kClasses; ++i) {
     json["classes"][std::string(enum_names<ObjectClass>.at(i))] = {
         {"predicted", objects.class_predicted.at(i)},

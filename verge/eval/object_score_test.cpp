@@ -116,5 +116,41 @@ TEST(ObjectScore, OnlyWithinTheRangeAndScansAddUp) {
   EXPECT_EQ(*sum.recall(), 0.5);
 }
 
+// Of a person or a pole a scanner sees a few returns and no box.
+TEST(ObjectScore, SmallThingsArePairedByTheirCenters) {
+  const auto person = [](double x) { return box(x, 0, 0.5, 0.5, 0.0, ObjectClass::kPerson); };
+  const ObjectScore near = score_objects(with({person(10.4)}), with({person(10.0)}), 50.0);
+  EXPECT_EQ(*near.class_f1(ObjectClass::kPerson), 1.0);
+  EXPECT_TRUE(near.overlap.empty());
+  EXPECT_EQ(score_objects(with({person(10.6)}), with({person(10.0)}), 50.0).matched, 0U);
+}
+
+TEST(ObjectScore, WhatWasNotSeenOrLiesBeyondTheRangeIsNeitherMissedNorFalse) {
+  Object unseen = box(10, 0, 4, 2);
+  unseen.confidence = 0.0;
+  for (const Object& truth : {unseen, box(20.5, 0, 4, 2)}) {
+    ObjectScore score = score_objects(with({box(truth.center.x - 0.6, 0, 4, 2)}), with({truth}), 20.0);
+    EXPECT_EQ(score.truth + score.predicted, 0U);
+    score += score_objects(with({}), with({truth}), 20.0);
+    EXPECT_FALSE(score.recall().has_value());
+  }
+}
+
+TEST(ObjectScore, CarsOfTwoFacesAreJudgedOnTheirOwn) {
+  Object corner = box(10, 0, 4, 2);
+  corner.shape = ObjectShape::kL;
+  Object rear = box(20, 0, 4, 2);
+  rear.shape = ObjectShape::kFace;
+  Object missed = box(30, 0, 4, 2);
+  missed.shape = ObjectShape::kJ;
+  const ObjectScore score =
+      score_objects(with({box(11, 0, 4, 2), box(20, 0, 4, 2, 0.1)}), with({corner, rear, missed}), 50.0);
+  EXPECT_EQ(score.cars.truth, 3U);
+  EXPECT_EQ(score.cars.heading_error_rad.size(), 2U);
+  EXPECT_THAT(score.two_faced_cars.overlap, ElementsAre(DoubleNear(3.0 / 5.0, 1e-12)));
+  EXPECT_EQ(*score.two_faced_cars.share_above(0.6 - 1e-9), 0.5);  // of the two that are there
+  EXPECT_EQ(*score.two_faced_cars.share_above(0.7), 0.0);
+}
+
 }  // namespace
 }  // namespace verge::eval

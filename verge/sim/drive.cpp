@@ -11,6 +11,7 @@
 
 #include "verge/core/angle.hpp"
 #include "verge/core/field_io.hpp"
+#include "verge/sim/seen.hpp"
 
 namespace verge::sim {
 namespace {
@@ -147,6 +148,7 @@ Simulated Drive::scan(std::uint64_t index) const {
                             .time_s = middle_s,
                             .radius_m = config_.truth_radius_m,
                             .lines = config_.truth_lines});
+  tell_seen(out.truth.objects, deskew(out.scan));
   out.truth.frame = out.scan.frame;
   out.truth.stamp_ns = out.scan.stamp_ns;
   out.mount = mount_of(config_.scenario.stand);

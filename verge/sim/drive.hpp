@@ -31,8 +31,9 @@ struct DriveConfig {
 
 /// One scan and all that is true of it.
 struct Simulated {
-  Scan scan;    ///< As the sensor gives it: not deskewed, without a mount; see label_of() for labels.
-  Scene truth;  ///< In the sensor frame at the time of the scan's first point.
+  Scan scan;  ///< As the sensor gives it: not deskewed, without a mount; see label_of() for labels.
+  Scene
+      truth;  ///< In the sensor frame at the time of the scan's first point; objects as tell_seen() has them.
   Mount mount;  ///< Against the ground under the wheels; forward_rad is the course's direction there.
   bool straight = false;  ///< All of the road within 15 m (along it) of the vehicle is straight.
 };

@@ -52,7 +52,8 @@ class Truth {
   /// branches that are no driveways leave the vehicle's road, up to the radius ahead, until they are passed;
   /// and the end of the vehicle's road. Corners of confidence 0 look like one and are none: driveways, gaps
   /// of the kerb, and gaps of 1 to 8 m between parked vehicles. `exit_m` is the far end of the mouth.
-  /// Objects: all things within the radius; a crown of a tree counts, a wall, guard rail or hedge does not.
+  /// Objects: all things within the radius, seen or not; a crown of a tree counts, a wall, guard rail or
+  /// hedge does not.
   /// The road's width every 5 m ahead.
   [[nodiscard]] Scene scene(const TruthView& view) const;
 

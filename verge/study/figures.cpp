@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -105,9 +106,18 @@ void add_corners(const eval::CornerScore& corners, Figures& figures, bool said) 
   add("position_error_p95_m", percentile(corners.position_error_m, 95.0));
 }
 
+void add_boxes(std::string_view name, const eval::BoxScore& boxes, Collector& add) {
+  constexpr double kGood = 0.7;
+  add(fmt::format("{}_iou", name), mean(boxes.overlap));
+  add(fmt::format("{}_iou_above_{:g}", name, kGood), boxes.share_above(kGood));
+  add(fmt::format("{}_heading_p95_deg", name), degrees(percentile(boxes.heading_error_rad, 95.0)));
+}
+
 void add_objects(const eval::ObjectScore& objects, Figures& figures, bool said) {
   Collector known(figures);
   known("objects_true", number(objects.truth));
+  known("cars_true", number(objects.cars.truth));
+  known("two_faced_cars_true", number(objects.two_faced_cars.truth));
   Collector add(figures, said);
   add("objects_predicted", number(objects.predicted));
   add("objects_precision", objects.precision());
@@ -116,6 +126,8 @@ void add_objects(const eval::ObjectScore& objects, Figures& figures, bool said) 
   add("objects_heading_mean_deg", degrees(mean(objects.heading_error_rad)));
   add("objects_heading_p95_deg", degrees(percentile(objects.heading_error_rad, 95.0)));
   add("objects_corner_error_m", mean(objects.corner_error_m));
+  add_boxes("cars", objects.cars, add);
+  add_boxes("two_faced_cars", objects.two_faced_cars, add);
   add("car_f1", objects.class_f1(ObjectClass::kCar));
   add("person_f1", objects.class_f1(ObjectClass::kPerson));
 }

@@ -17,9 +17,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RangeBins, width_m, bins)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConfidencePoint, least_confidence, counts)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StationCounts, both_absent, missed, extra, right, wrong, error_sum_m)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuccessCounts, minimum, larger, failed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BoxScore, truth, heading_error_rad, overlap)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ObjectScore, predicted, truth, matched, over_segmented, under_segmented,
-                                   heading_error_rad, corner_error_m, overlap, class_predicted, class_truth,
-                                   class_matched)
+                                   heading_error_rad, corner_error_m, overlap, cars, two_faced_cars,
+                                   class_predicted, class_truth, class_matched)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CornerScore, true_corners, detected, late, false_presented, false_reported,
                                    reports, false_reports, latency_scans, latency_m, ahead_m,
                                    position_error_m, way_m)
