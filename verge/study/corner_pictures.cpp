@@ -18,7 +18,6 @@
 #include "verge/pipeline/stages.hpp"
 #include "verge/study/parts.hpp"
 #include "verge/study/report.hpp"
-#include "verge/study/thin.hpp"
 
 // Paper 1's Fig. 2 and 3 from our drives, and the road's width over time.
 
@@ -107,11 +106,10 @@ Expected<std::vector<Picture>> drive_past(const MadeDrives& drives, std::vector<
   const sim::Drive drive(drives.make(kDrive));
   std::optional<int> corner_id;
   for (std::size_t i = 0; i < std::min(kScans, drives.scans); ++i) {
-    sim::Simulated simulated = drive.scan(i);
-    const Scan scan = told(thin(std::move(simulated.scan), drives.lost, kDrive, i), drives);
+    const sim::Simulated simulated = simulated_of(drives, drive, kDrive, i);
     const Corner* corner = first_true(simulated.truth, corner_id);
     for (Follower& follower : followers) {
-      const pipeline::Frame frame = seen_by(follower, scan);
+      const pipeline::Frame frame = seen_by(follower, simulated.scan);
       follower.widths.add(frame.scene, *frame.trace);
       if (&follower != &followers.front() || pictures.size() == kPhases.size() || corner == nullptr) continue;
       const auto& [phase, name] = kPhases.at(pictures.size());

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "verge/pipeline/stages.hpp"
+#include "verge/sim/seen_edges.hpp"
 #include "verge/study/figures.hpp"
 #include "verge/study/labelled_part.hpp"
 #include "verge/study/parts.hpp"
@@ -97,9 +98,9 @@ Seen see_drive_again(const MadeDrives& drives, const ScanScore& wanted, const Co
   Seen seen;
   for (std::uint64_t index = alone ? wanted.scan : drives.first_scan; index <= wanted.scan;
        index += drives.step) {
-    sim::Simulated simulated = world.scan(index);
+    sim::Simulated simulated = simulated_of(drives, world, wanted.drive, index);
     seen.frame = {};
-    seen.frame.scan = told(thin(std::move(simulated.scan), drives.lost, wanted.drive, index), drives);
+    seen.frame.scan = std::move(simulated.scan);
     pipeline::prepare(seen.frame, {});
     pipeline::detect_on(seen.frame, *detector, options_of(contestant));
     seen.truth = std::move(simulated.truth);
@@ -109,9 +110,13 @@ Seen see_drive_again(const MadeDrives& drives, const ScanScore& wanted, const Co
 
 }  // namespace
 
-Scan told(Scan scan, const MadeDrives& drives) {
-  scan.mount = drives.mount;
-  return scan;
+sim::Simulated simulated_of(const MadeDrives& drives, const sim::Drive& world, std::uint64_t drive,
+                            std::uint64_t index) {
+  sim::Simulated simulated = world.scan(index);
+  simulated.scan = thin(std::move(simulated.scan), drives.lost, drive, index);
+  simulated.scan.mount = drives.mount;
+  if (drives.seen_edges) sim::tell_seen_edges(simulated.truth.boundaries, deskew(simulated.scan));
+  return simulated;
 }
 
 std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const MadeDrives& drives,
@@ -124,9 +129,9 @@ std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const MadeDriv
   std::vector<Scene> truths;
   for (std::size_t i = 0; i < drives.scans; ++i) {
     if (hooks.stop.load()) return std::nullopt;
-    sim::Simulated simulated = world.scan(index_of(drives, i));
+    sim::Simulated simulated = simulated_of(drives, world, drive, index_of(drives, i));
     pipeline::Frame frame;
-    frame.scan = told(thin(std::move(simulated.scan), drives.lost, drive, index_of(drives, i)), drives);
+    frame.scan = std::move(simulated.scan);
     const double prepare_s = seconds_of([&] { pipeline::prepare(frame, {}); });
     for (Driver& driver : drivers) driver.see(frame, prepare_s, simulated.truth, drive, index_of(drives, i));
     if (suite.judged.corners) truths.push_back(corners_of(simulated.truth));

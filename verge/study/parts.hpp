@@ -13,6 +13,7 @@
 #include "verge/eval/labelled_set.hpp"
 #include "verge/model/scene.hpp"
 #include "verge/pipeline/run.hpp"
+#include "verge/sim/drive.hpp"
 #include "verge/study/contestant.hpp"
 #include "verge/study/suite.hpp"
 #include "verge/study/tally.hpp"
@@ -43,8 +44,10 @@ struct PartHooks {
                                                             const Contestant& contestant,
                                                             const PartHooks& hooks);
 
-/// The scan with what methods are told of a drive's sensor.
-[[nodiscard]] Scan told(Scan scan, const MadeDrives& drives);
+/// Scan `index` of the world of one of these drives: with what is lost of it and what methods are told, and
+/// the truth of which that much is visible.
+[[nodiscard]] sim::Simulated simulated_of(const MadeDrives& drives, const sim::Drive& world,
+                                          std::uint64_t drive, std::uint64_t index);
 
 /// A scan as a method saw it, and its truth as a Scene.
 struct Seen {

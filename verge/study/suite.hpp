@@ -27,6 +27,7 @@ struct MadeDrives {
   std::uint64_t first_scan = 0;  ///< Index of the first one, ...
   std::uint64_t step = 1;        ///< ... and from one to the next.
   double lost = 0.0;             ///< Share of each scan's returns that go missing, whatever their range.
+  bool seen_edges = false;       ///< Of the truth, what the scan's own returns show counts as visible.
   std::optional<Mount> mount{};  ///< What methods are told of how the sensor stands; none: they see for
                                  ///< themselves.
 };
