@@ -58,7 +58,7 @@ double floor_ns_a_point() {
   }
   Floor floor;
   std::vector<double> seconds;
-  for (int i = 0; i < 20; ++i)
+  for (int i = 0; i < 8; ++i)
     seconds.push_back(seconds_of([&] { benchmark::DoNotOptimize(floor.run(x, y, z)); }));
   return 1e9 * typical(seconds) / static_cast<double>(x.size());
 }

@@ -136,7 +136,7 @@ void PairSlopes::move(Sweep& sweep, double slope, Pass pass) const {
 
 /// Moves there, and draws the bound that it makes.
 void PairSlopes::look_at(Sweep& sweep, Band& band, double probe, Ranks ranks) const {
-  if (!(probe > band.low.slope && probe < band.high.slope)) return;
+  if (probe <= band.low.slope || probe >= band.high.slope) return;
   move(sweep, probe, [](Pair) { return true; });
   if (sweep.at.below <= ranks.first) band.low = sweep.at;
   if (sweep.at.below > ranks.last) band.high = sweep.at;
