@@ -22,7 +22,7 @@ OUTSIDE = ("apps", "tests", "bench", "examples")
 LOOK_BEHIND = ("tests", "bench")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
-HEAVY = re.compile(r"^(CLI/|toml\+\+/|nlohmann/json\.hpp|Eigen/|unsupported/Eigen/|cairo|embree|tbb/|oneapi/)")
+HEAVY = re.compile(r"^(CLI/|toml\+\+/|nlohmann/json\.hpp|Eigen/|unsupported/Eigen/|cairo|embree|opencv2/|tbb/|oneapi/)")
 PRINTING_HEADER = re.compile(r"^(iostream|print|syncstream)$")
 PRINTING = re.compile(
     r"\b(?:(?:std::)?(?:cout|cerr|clog)\b"
