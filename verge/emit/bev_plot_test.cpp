@@ -17,11 +17,6 @@
 namespace verge::emit {
 namespace {
 
-std::uint32_t hex_of(Colour c) {
-  const auto byte = [](double v) { return static_cast<std::uint32_t>(std::lround(v * 255.0)); };
-  return byte(c.red) << 16U | byte(c.green) << 8U | byte(c.blue);
-}
-
 void add_point(Scan& scan, float x, float y, float z) {
   scan.x.push_back(x);
   scan.y.push_back(y);

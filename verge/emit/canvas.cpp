@@ -65,6 +65,11 @@ class Pixels {
         width_(cairo_image_surface_get_width(surface)),
         height_(cairo_image_surface_get_height(surface)) {}
 
+  /// Pixels outside are left out.
+  void set(int x, int y, std::uint32_t rgb) {
+    if (x >= 0 && x < width_ && y >= 0 && y < height_) std::memcpy(place_of(x, y), &rgb, sizeof rgb);
+  }
+
   /// A disc whose rim covers pixels by share, so that it moves smoothly with its centre.
   void blend(Vec2 centre, double radius, Colour colour) {
     const double reach = radius + 0.5;
@@ -89,8 +94,12 @@ class Pixels {
     return p.x > -reach && p.x < width_ + reach && p.y > -reach && p.y < height_ + reach;
   }
 
+  [[nodiscard]] unsigned char* place_of(int x, int y) const {
+    return data_ + std::ptrdiff_t{y} * stride_ + std::ptrdiff_t{x} * 4;
+  }
+
   void mix(int x, int y, Colour colour, double cover) {
-    unsigned char* const at = data_ + std::ptrdiff_t{y} * stride_ + std::ptrdiff_t{x} * 4;
+    unsigned char* const at = place_of(x, y);
     std::uint32_t pixel = 0;
     std::memcpy(&pixel, at, sizeof pixel);
     const auto channel = [&](unsigned shift, double to) {
@@ -106,6 +115,17 @@ class Pixels {
   int width_;
   int height_;
 };
+
+/// Lets `work` at the surface's pixels, which cairo must know of; not where memory did not suffice (png()
+/// tells).
+template <class Work>
+void on_pixels(cairo_surface_t* surface, Work work) {
+  if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) return;
+  cairo_surface_flush(surface);
+  Pixels pixels(surface);
+  work(pixels);
+  cairo_surface_mark_dirty(surface);
+}
 
 cairo_status_t append(void* closure, const unsigned char* bytes, unsigned int count) {
   auto& out = *static_cast<std::string*>(closure);
@@ -140,12 +160,18 @@ Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 Canvas::~Canvas() = default;
 
 void Canvas::dots(std::span<const Vec2> centres, double radius, Colour colour) {
-  cairo_surface_t* const surface = state_->surface.get();
-  if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) return;  // png() tells
-  cairo_surface_flush(surface);
-  Pixels pixels(surface);
-  for (const Vec2 centre : centres) pixels.blend(centre, radius, colour);
-  cairo_surface_mark_dirty(surface);
+  on_pixels(state_->surface.get(), [&](Pixels& pixels) {
+    for (const Vec2 centre : centres) pixels.blend(centre, radius, colour);
+  });
+}
+
+void Canvas::image(int x, int y, int width, std::span<const std::uint32_t> rgb) {
+  on_pixels(state_->surface.get(), [&](Pixels& pixels) {
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+      const int at = static_cast<int>(i);
+      pixels.set(x + at % width, y + at / width, rgb[i]);
+    }
+  });
 }
 
 void Canvas::line(std::span<const Vec2> points, const Stroke& stroke) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -49,6 +50,9 @@ class Canvas {
   void circle(Vec2 centre, double radius, const Stroke& stroke);
   void box(Vec2 upper_left, Vec2 size, Colour fill);
   void rounded_box(Vec2 upper_left, Vec2 size, double radius, Colour fill, const Stroke& edge);
+
+  /// Pixels as they are: `rgb` holds rows of `width` of them, 0xRRGGBB, the first at column x and row y.
+  void image(int x, int y, int width, std::span<const std::uint32_t> rgb);
 
   /// One line of text on its base line at `at`. Bytes that are not UTF-8 show as U+FFFD.
   void text(Vec2 at, std::string_view text, const TextStyle& style);

@@ -46,6 +46,20 @@ TEST(Canvas, ATransparentDotMixes) {
   EXPECT_EQ(Picture(canvas.png().value()).pixel(4, 4), 0x800000U);
 }
 
+TEST(Canvas, AnImageIsItsPixelsAndEndsAtTheEdge) {
+  Canvas canvas = small_canvas();
+  canvas.image(38, 28, 3,
+               std::array<std::uint32_t, 6>{0x010203, 0x040506, 0x070809, 0xA0B0C0, 0xFFFFFF, 0x0});
+  canvas.image(-1, -1, 2, std::array<std::uint32_t, 4>{0xFFFFFF, 0xFFFFFF, 0xFFFFFF, 0xABCDEF});
+  const Picture picture(canvas.png().value());
+  EXPECT_EQ(picture.pixel(38, 28), 0x010203U);
+  EXPECT_EQ(picture.pixel(39, 28), 0x040506U);
+  EXPECT_EQ(picture.pixel(38, 29), 0xA0B0C0U);
+  EXPECT_EQ(picture.pixel(0, 0), 0xABCDEFU);
+  EXPECT_EQ(picture.pixel(1, 0), kBlue);
+  EXPECT_EQ(picture.pixel(37, 28), kBlue);
+}
+
 TEST(Canvas, DotsOutsideOrNotFiniteDrawNothing) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kHuge = 1e300;

@@ -24,6 +24,12 @@ struct Colour {
           static_cast<double>(hex & 0xFFU) / 255.0, alpha};
 }
 
+/// The opaque colour as 0xRRGGBB, each part rounded.
+[[nodiscard]] constexpr std::uint32_t hex_of(Colour colour) {
+  const auto byte = [](double part) { return static_cast<std::uint32_t>(255.0 * part + 0.5); };
+  return byte(colour.red) << 16U | byte(colour.green) << 8U | byte(colour.blue);
+}
+
 /// The colour map viridis (Smith and van der Walt, 2015: perceptually even, readable by the colour-blind) for
 /// t in 0..1, linear between ten of its colours, its darkest eighth left out so that it shows on a dark
 /// ground. t outside 0..1 takes the nearer end.

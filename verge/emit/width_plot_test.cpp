@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/emit/width_plot.hpp"
 
-#include <cstdint>
-
 #include <gtest/gtest.h>
 
 #include "verge/emit/bev_layers.hpp"
@@ -45,17 +43,12 @@ WidthPlot drive(bool with_states) {
   return plot;
 }
 
-std::uint32_t hex(Colour colour) {
-  const auto byte = [](double value) { return static_cast<std::uint32_t>(255.0 * value + 0.5); };
-  return byte(colour.red) << 16U | byte(colour.green) << 8U | byte(colour.blue);
-}
-
 /// Columns of the first panel that hold a pixel of that colour in every row.
 int full_columns(const Picture& picture, Colour colour) {
   int columns = 0;
   for (int x = 0; x < picture.width(); ++x) {
     int rows = 0;
-    for (int y = 70; y < 250; ++y) rows += picture.pixel(x, y) == hex(colour) ? 1 : 0;
+    for (int y = 70; y < 250; ++y) rows += picture.pixel(x, y) == hex_of(colour) ? 1 : 0;
     columns += rows > 150 ? 1 : 0;
   }
   return columns;

@@ -40,6 +40,10 @@ TEST(Trace, LayersAreFoundByName) {
   ASSERT_NE(trace.find_points("candidates"), nullptr);
   EXPECT_EQ(trace.find_points("candidates")->points.front().y, 2.0);
   EXPECT_EQ(trace.find_values("K")->values.front(), 2.0);
+  trace.rasters.push_back({"squares", 1, 2, {0.0F, 255.0F}, {"y", "m", 3.0, -0.1}, {"x", "m", 9.0, -0.1}});
+  ASSERT_NE(trace.find_raster("squares"), nullptr);
+  EXPECT_EQ(trace.find_raster("squares")->values.back(), 255.0F);
+  EXPECT_EQ(trace.find_raster("none"), nullptr);
   EXPECT_EQ(trace.find_points("none"), nullptr);
   EXPECT_EQ(trace.find_line("none"), nullptr);
 }

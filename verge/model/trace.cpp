@@ -18,5 +18,6 @@ const Layer* find(const std::vector<Layer>& layers, std::string_view name) {
 const Trace::Points* Trace::find_points(std::string_view name) const { return find(points, name); }
 const Trace::Line* Trace::find_line(std::string_view name) const { return find(lines, name); }
 const Trace::Values* Trace::find_values(std::string_view name) const { return find(values, name); }
+const Trace::Raster* Trace::find_raster(std::string_view name) const { return find(rasters, name); }
 
 }  // namespace verge
