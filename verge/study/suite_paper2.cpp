@@ -10,6 +10,31 @@ namespace {
 constexpr double kRate_hz = 12.5;
 constexpr std::size_t kScans = 20;
 
+/// Where a person is and walks, so many metres ahead of the vehicle's start.
+sim::Item person(double at_m, double lateral_m, double speed_mps, double across_mps) {
+  return {.what = sim::Thing::kPerson,
+          .at_m = at_m,
+          .lateral_m = lateral_m,
+          .speed_mps = speed_mps,
+          .across_mps = across_mps};
+}
+
+/// One crosses the road where the vehicle does not get, one walks along it beside the parked cars, one on the
+/// sidewalk behind them.
+void add_persons(std::uint64_t drive, sim::Scenario& scenario) {
+  constexpr double kWalk_mps = 1.2;
+  const double begin_m = scenario.course.at_m;
+  std::vector<sim::Item>& items = scenario.roads[0].items;
+  const auto way = [&](std::uint64_t which) {
+    return drawn(drive, which, -1.0, 1.0) < 0.0 ? -kWalk_mps : kWalk_mps;
+  };
+  const double across_mps = way(10);
+  items.push_back(person(begin_m + drawn(drive, 11, 20.0, 40.0), -drawn(drive, 18, 1.5, 2.5) * across_mps,
+                         0.0, across_mps));
+  items.push_back(person(begin_m + drawn(drive, 12, 8.0, 40.0), drawn(drive, 13, 1.2, 2.8), way(14), 0.0));
+  items.push_back(person(begin_m + drawn(drive, 15, 8.0, 40.0), drawn(drive, 16, -7.5, -6.1), way(17), 0.0));
+}
+
 /// Each drive is another stretch of the street, at another place of the lane.
 sim::DriveConfig drive_of(std::uint64_t drive) {
   sim::DriveConfig config;
@@ -19,6 +44,7 @@ sim::DriveConfig drive_of(std::uint64_t drive) {
   config.scenario.roads[0].kerb_m = drawn(drive, 2, 0.1, 0.15);
   for (std::uint64_t i = 0; sim::Row & row : config.scenario.roads[0].rows)
     row.gap_m += drawn(drive, 3 + i++, -0.4, 0.8);
+  add_persons(drive, config.scenario);
   config.sensor = sim::sensor_named("lux", kRate_hz);
   config.noise.seed = drive;
   config.noise.range_sigma_m = 0.03;
