@@ -9,6 +9,7 @@
 #include "verge/core/field_io.hpp"
 #include "verge/emit/bev_furniture.hpp"
 #include "verge/emit/bev_layers.hpp"
+#include "verge/emit/bev_objects.hpp"
 #include "verge/emit/bev_theme.hpp"
 
 namespace verge::emit {
@@ -30,9 +31,13 @@ Expected<std::string> BevPlot::png(const BevContent& content) const {
   draw_rings(canvas, view);
   draw_scan(canvas, view, scale, content, config_.ceiling_m);
   if (content.trace != nullptr) draw_trace(canvas, view, scale, *content.trace, Depth::kUnder, steps);
+  draw_objects(canvas, view, content.scene, legend);
   draw_boundaries(canvas, view, content.scene, legend);
   draw_corners(canvas, view, content.scene, legend);
-  if (content.truth != nullptr) draw_truth(canvas, view, *content.truth, legend);
+  if (content.truth != nullptr) {
+    draw_true_objects(canvas, view, *content.truth, legend);
+    draw_truth(canvas, view, *content.truth, legend);
+  }
   if (content.trace != nullptr) draw_trace(canvas, view, scale, *content.trace, Depth::kOver, steps);
   draw_vehicle(canvas, view);
   draw_ring_labels(canvas, view);

@@ -23,8 +23,8 @@ struct BevContent {
 };
 
 /// Bird's-eye pictures of scans, heading up: points by their height above the road, the layers of the trace,
-/// the boundaries by side (dashed where bridged, dotted where occluded), truth dashed on top; with range
-/// rings, scale bar, colour bar, legend and caption.
+/// the boundaries by side (dashed where bridged, dotted where occluded), the objects by class, truth dashed
+/// on top; with range rings, scale bar, colour bar, legend and caption.
 ///
 /// Heights need scan.mount; without it they are counted from the lowest twentieth of the points, and the
 /// colour bar says so. A picture of the same content is the same bytes on one machine (the letters come from

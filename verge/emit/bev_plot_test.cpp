@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "verge/emit/bev_layers.hpp"
+#include "verge/emit/bev_objects.hpp"
 #include "verge/emit/bev_theme.hpp"
 #include "verge/emit/test_folder.hpp"
 #include "verge/emit/test_picture.hpp"
@@ -79,6 +80,26 @@ TEST(BevPlot, BoundariesStandWhereTheyAreInTheColourOfTheirSide) {
   EXPECT_EQ(d.at(-15.0, 4.0), hex_of(side_colour(Side::kLeft)));
   EXPECT_EQ(d.at(22.0, 4.0), hex_of(kGround));
   EXPECT_EQ(d.at(5.0, 2.0), hex_of(kGround));
+}
+
+TEST(BevPlot, ObjectsStandWhereTheyAreInTheColourOfTheirClass) {
+  const Scan scan = empty_scan();
+  Scene scene;
+  for (const ObjectClass type : {ObjectClass::kCar, ObjectClass::kPerson, ObjectClass::kRoadside}) {
+    Object& object = scene.objects.emplace_back();
+    object.type = type;
+    object.center = {10.0 * static_cast<double>(scene.objects.size()) - 20.0, 3.0, 0.0};
+    object.size = {4.0, 2.0, 1.5};
+    object.yaw_rad = std::numbers::pi / 2.0;
+  }
+  const Drawn d = drawn({scan, scene});
+  for (const Object& object : scene.objects) {
+    const double x = object.center.x;
+    EXPECT_EQ(d.at(x + 1.0, 3.0), hex_of(class_colour(object.type)));  // its flank
+    EXPECT_EQ(d.at(x, 5.0), hex_of(class_colour(object.type)));        // its front, to the left
+    EXPECT_EQ(d.at(x, 5.3), hex_of(kGround));
+  }
+  EXPECT_NE(hex_of(class_colour(ObjectClass::kCar)), hex_of(class_colour(ObjectClass::kPerson)));
 }
 
 TEST(BevPlot, TheDirectionAskedForPointsUp) {

@@ -8,6 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "verge/core/vec.hpp"
+#include "verge/model/footprint.hpp"
+
 namespace verge::eval {
 namespace {
 
@@ -36,15 +39,6 @@ std::vector<Vec2> left_of(std::span<const Vec2> polygon, Vec2 a, Vec2 b) {
 double footprint_area(const Object& object) { return object.size.length_m * object.size.width_m; }
 
 }  // namespace
-
-std::array<Vec2, 4> footprint(const Object& object) {
-  const Vec2 along{std::cos(object.yaw_rad), std::sin(object.yaw_rad)};
-  const Vec2 half_length = 0.5 * object.size.length_m * along;
-  const Vec2 half_width = 0.5 * object.size.width_m * Vec2{-along.y, along.x};
-  const Vec2 center = object.center.xy();
-  return {center + half_length + half_width, center - half_length + half_width,
-          center - half_length - half_width, center + half_length - half_width};
-}
 
 double shared_area(const Object& a, const Object& b) {
   const auto of_a = footprint(a);

@@ -2,15 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
-#include "verge/core/vec.hpp"
 #include "verge/model/scene.hpp"
 
 namespace verge::eval {
-
-/// Corners of an object's footprint, counter-clockwise, the left front one first. Metres.
-[[nodiscard]] std::array<Vec2, 4> footprint(const Object& object);
 
 /// Area that the two footprints share, m2.
 [[nodiscard]] double shared_area(const Object& a, const Object& b);

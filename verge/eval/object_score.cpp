@@ -3,12 +3,14 @@
 #include "verge/eval/object_score.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
 
 #include "verge/eval/box_overlap.hpp"
 #include "verge/eval/share.hpp"
+#include "verge/model/footprint.hpp"
 
 namespace verge::eval {
 namespace {
