@@ -20,6 +20,15 @@ Json json_of(const std::vector<Vec3>& points) {
   return array;
 }
 
+Json json_of(const Trace::Axis& axis) {
+  return {{"name", axis.name}, {"unit", axis.unit}, {"first", axis.first}, {"step", axis.step}};
+}
+
+Json json_of(const Trace::Raster& layer) {
+  return {{"name", layer.name},    {"rows", layer.rows},    {"cols", layer.cols},
+          {"x", json_of(layer.x)}, {"y", json_of(layer.y)}, {"values", layer.values}};
+}
+
 }  // namespace
 
 std::string to_json(const Trace& trace) {
@@ -37,7 +46,12 @@ std::string to_json(const Trace& trace) {
   for (const Trace::Values& layer : trace.values) {
     values.push_back({{"name", layer.name}, {"values", layer.values}});
   }
-  const Json json{{"points", std::move(points)}, {"lines", std::move(lines)}, {"values", std::move(values)}};
+  Json rasters = Json::array();
+  for (const Trace::Raster& layer : trace.rasters) rasters.push_back(json_of(layer));
+  const Json json{{"points", std::move(points)},
+                  {"lines", std::move(lines)},
+                  {"values", std::move(values)},
+                  {"rasters", std::move(rasters)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

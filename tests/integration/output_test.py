@@ -96,6 +96,7 @@ class Records(CliTest):
         trace = traced.pop("trace")
         self.assertEqual(traced, plain)
         self.assertGreater(sum(len(layer["points"]) for layer in trace["points"]), 0)
+        self.assertEqual(trace["rasters"], [])  # this method makes none
 
     def test_geojson_is_one_collection_in_local_metres_or_wgs84(self):
         scan = self.write("scan.pcd.bin", self.scan)
