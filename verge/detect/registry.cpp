@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "verge/detect/gradient/gradient.hpp"
+#include "verge/detect/line_fit/line_fit.hpp"
 #include "verge/detect/road_width/road_width.hpp"
 
 namespace verge::detect {
@@ -38,6 +39,11 @@ constexpr std::array kMethods{
         "steps by gradient along the rings in four quadrants, k-means, and a line or B-spline a side",
         "Zhong et al., Road boundary detection algorithm based on multi-line 3D laser radar, "
         "IJEART 3(8), 2017"),
+    entry<LineFit>(
+        "line_fit", Order::kIndependent,
+        "road edges and objects on four layers: kerbs, Hough lines, least squares, Theil-Sen, k-means",
+        "Duan, Valentyna, Road edge detection based on lidar laser, ICCAIS 2015",
+        Says{.boundaries = true, .corners = false, .objects = true}),
     entry<RoadWidth>("road_width", Order::kSequential,
                      "the road's width on four lines from scan to scan, and corners where it widens",
                      "Liu, Feng, Li, Zhang, Corner detection for intelligent vehicles based on a four-layer "
