@@ -71,7 +71,9 @@ Suite paper2_suite(const SuiteRequest& request) {
                   .scans = MadeDrives{.make = drive_of,
                                       .drives = request.drives.value_or(10),
                                       .scans = request.scans.value_or(kScans),
-                                      .step = 2}}};
+                                      .step = 2,
+                                      .seen_edges = true,
+                                      .mount = sim::mount_of(drive_of(1).scenario.stand)}}};
   suite.columns = {{"scans", "scans", 0},
                    {"precision", "precision"},
                    {"recall", "recall"},
