@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // What a method takes for a scan, on one thread: the readings of road_width on a drive of an ALASCA XT past
-// side roads, driveways and parked cars (paper 1's, 200 scans at 30 km/h). Beside it the floor
-// (bench/floor.hpp) over the same points. us_800_at_3ns is the median for 800 points on a machine whose floor
-// takes 3 ns a point.
-#include <array>
+// side roads, driveways and parked cars (paper 1's, 200 scans at 30 km/h), and line_fit with its estimators
+// on a LUX between parked cars (paper 2's, 200 scans). Beside it the floor (bench/floor.hpp) over the same
+// points. us_800_at_3ns is the median for 800 points on a machine whose floor takes 3 ns a point.
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,23 +14,33 @@
 #include "bench/floor.hpp"
 #include "bench/measure.hpp"
 #include "verge/core/statistics.hpp"
-#include "verge/detect/registry.hpp"
 #include "verge/sim/drive.hpp"
 #include "verge/sim/ready.hpp"
 #include "verge/sim/sensors.hpp"
+#include "verge/study/contestant.hpp"
 
 namespace verge::bench {
 namespace {
 
 constexpr std::size_t kScans = 200;
 
-std::vector<Scan> alasca_drive() {
-  const sim::Drive drive({.scenario = sim::ready_scenario("paper1-r3-v30"),
-                          .sensor = sim::sensor_named("alasca_xt"),
+/// A drive of which scans count from the `first` on.
+struct Drive {
+  std::string scenario;
+  std::string sensor;
+  std::size_t first = 0;
+};
+const Drive kCorners{"paper1-r3-v30", "alasca_xt",
+                     60};  // from before the first side road to behind the driveway
+const Drive kStreet{"paper2", "lux", 0};
+
+std::vector<Scan> scans_of(const Drive& which) {
+  const sim::Drive drive({.scenario = sim::ready_scenario(which.scenario),
+                          .sensor = sim::sensor_named(which.sensor),
                           .noise = {.seed = 1, .range_sigma_m = 0.03}});
   std::vector<Scan> scans;
   for (std::size_t i = 0; i < kScans; ++i) {
-    sim::Simulated simulated = drive.scan(60 + i);  // from before the first side road to behind the driveway
+    sim::Simulated simulated = drive.scan(which.first + i);
     scans.push_back(deskew(std::move(simulated.scan)));
     scans.back().mount = simulated.mount;
   }
@@ -54,14 +62,14 @@ Cloud cloud_of(const std::vector<Scan>& scans) {
   return all;
 }
 
-void road_width(benchmark::State& state, const std::string& reading) {
-  const std::vector<Scan> scans = alasca_drive();
+void method(benchmark::State& state, const study::Contestant& contestant, const Drive& drive) {
+  const std::vector<Scan> scans = scans_of(drive);
   const Cloud all = cloud_of(scans);
   Floor floor;
   std::vector<double> ours;
   std::vector<double> floors;
   for ([[maybe_unused]] auto _ : state) {
-    const auto detector = detect::make("road_width", {{"reading", reading}});
+    const auto detector = study::detector_of(contestant);
     double sum = 0.0;
     for (const Scan& scan : scans) {
       ours.push_back(seconds_of([&] { benchmark::DoNotOptimize(detector->process(scan, nullptr)); }));
@@ -79,13 +87,25 @@ void road_width(benchmark::State& state, const std::string& reading) {
   state.counters["us_800_at_3ns"] = 1e6 * typical(ours) * 800.0 / points * 3.0 / ns_a_point;
 }
 
-BENCHMARK_CAPTURE(road_width, combined, std::string("combined"))
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(road_width, fixed, std::string("fixed"))->UseManualTime()->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(road_width, paper, std::string("paper"))->UseManualTime()->Unit(benchmark::kMillisecond);
+void add(const std::vector<std::string>& methods, const Drive& drive) {
+  for (const std::string& text : methods) {
+    benchmark::RegisterBenchmark(
+        text.c_str(), [=](benchmark::State& state) { method(state, study::contestant_of(text), drive); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+void add_all() {
+  add({"road_width", "road_width:reading=fixed", "road_width:reading=paper"}, kCorners);
+  add({"line_fit", "line_fit:estimator=least_squares", "line_fit:estimator=polynomial",
+       "line_fit:estimator=theil_sen", "line_fit:estimator=hough", "line_fit:grouping=clusters",
+       "line_fit:grouping=kmeans", "line_fit:grouping=none,estimator=hough",
+       "line_fit:reading=paper,estimator=hough"},
+      kStreet);
+}
 
 }  // namespace
 }  // namespace verge::bench
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) { return verge::bench::run_benchmarks(argc, argv, &verge::bench::add_all); }

@@ -103,14 +103,15 @@ class Follower {
   std::optional<fit::Line> line_{};
 };
 
-/// From point `first` on, past up to two returns that do not belong to it.
+/// From point `first` on, past up to two low returns that do not belong to it, and past what hides it.
 std::optional<KerbPiece> follow(std::span<const LayerPoint> points, const std::vector<bool>& low,
                                 std::size_t first, std::size_t end, const KerbConfig& config) {
   constexpr std::size_t kStrays = 2;
   Follower follower(points, config);
   std::size_t strays = 0;
-  for (std::size_t i = first; i < end && strays <= kStrays; ++i)
-    strays = low[i] && follower.take(i) ? 0 : strays + 1;
+  for (std::size_t i = first; i < end && strays <= kStrays; ++i) {
+    if (low[i]) strays = follower.take(i) ? 0 : strays + 1;
+  }
   return follower.piece();
 }
 
@@ -152,6 +153,10 @@ std::vector<KerbPiece> kerb_pieces(std::span<const LayerPoint> points, const std
   std::vector<KerbPiece> pieces;
   for (const auto& [begin, end] : layers_of(points)) {
     for (std::size_t i = begin; i < end;) {
+      if (!low[i]) {
+        ++i;
+        continue;
+      }
       auto piece = best_from(points, low, i, end, config);
       i = piece ? piece->points.back() + 1 : i + 1;
       if (piece) pieces.push_back(*std::move(piece));

@@ -23,7 +23,7 @@ struct KerbConfig {
   double straight_m = 0.08;
   double close_m = 0.05;
   double slope_max = 0.5;
-  double piece_m = 0.5;
+  double piece_m = 0.35;
   double joined_m = 0.12;
 
   template <class Self, class Visitor>
