@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "verge/fit/finite.hpp"
+
 namespace verge::fit {
 namespace {
 
@@ -222,8 +224,7 @@ LEdge edge_of(std::span<const Vec2> places, std::vector<std::size_t> part, const
 }
 
 bool can_be_fitted(std::span<const Vec2> points) {
-  return std::ranges::all_of(points, [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }) &&
-         std::ranges::any_of(points, [&](Vec2 p) { return p != points.front(); });
+  return all_finite(points) && std::ranges::any_of(points, [&](Vec2 p) { return p != points.front(); });
 }
 
 /// A heading and what of the points follows from it.

@@ -11,6 +11,16 @@ namespace {
 
 double length_m(const fit::LEdge& edge) { return distance(edge.begin, edge.end); }
 
+double roughness_m(const fit::LShape& shape) {
+  double squares = 0.0;
+  double returns = 0.0;
+  for (const fit::LEdge& edge : shape.edges) {
+    squares += static_cast<double>(edge.points.size()) * edge.rms_m * edge.rms_m;
+    returns += static_cast<double>(edge.points.size());
+  }
+  return std::sqrt(squares / returns);
+}
+
 /// Whether an edge holds returns enough, and is long enough, to be a face: the returns of all layers at the
 /// end of the other edge lie near the corner too.
 bool is_face(const fit::LEdge& edge) {
@@ -57,8 +67,9 @@ Extent depth_extent() { return {.below = {.unseen_m = 0.0}}; }
 Outline outline_of(const fit::LShape& shape, const Beside& beside, double sigma_m) {
   const Vec2 along{std::cos(shape.heading_rad), std::sin(shape.heading_rad)};
   const std::array<Vec2, 2> axes = {along, {-along.y, along.x}};
-  Outline outline{.corner = shape.corner,
-                  .returns = shape.edges[0].points.size() + shape.edges[1].points.size()};
+  Outline outline{.corner = shape.corner};
+  for (const fit::LEdge& edge : shape.edges) outline.returns += edge.points.size();
+  outline.rough_m = roughness_m(shape);
   for (std::size_t i = 0; i < 2; ++i) outline.face.at(i) = is_face(shape.edges.at(i));
   if (!outline.face[0] && !outline.face[1])
     outline.face.at(length_m(shape.edges[0]) >= length_m(shape.edges[1]) ? 0 : 1) = true;

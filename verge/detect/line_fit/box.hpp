@@ -32,6 +32,7 @@ struct Outline {
   std::array<Vec2, 2> onward{};    ///< Unit vectors along its two edges, away from the corner.
   std::array<Extent, 2> extent{};  ///< Along each of them.
   std::size_t returns = 0;
+  double rough_m = 0.0;        ///< Root mean square of their distances from the L.
   std::array<bool, 2> face{};  ///< Whether the edge that runs along holds returns enough to be a face.
 };
 

@@ -17,8 +17,9 @@ constexpr double kCar_m = 5.2;
 constexpr double kVan_m = 6.5;
 constexpr double kWall_m = 8.0;  // with one face alone
 constexpr double kTruck_m = 13.0;
-constexpr std::size_t kFewReturns = 3;
 constexpr double kCorner_m = 3.0;  // both ways: two walls
+constexpr double kRough_m = 0.1;
+constexpr std::size_t kFewReturns = 3;
 
 /// The edge that the length of a vehicle runs along: a side wider than a vehicle, not one that is known to be
 /// shorter than a car, and else that which runs along the road.
@@ -68,9 +69,11 @@ double vehicle_confidence(const Outline& outline, const Extent& length) {
   return length.seen_m() > kWide_m ? 0.99 : 0.96;
 }
 
-bool is_wall(const Outline& outline, const Extent& length, const Extent& width) {
+/// Whether it is longer than any vehicle, or rougher than any, as hedges and banks are.
+bool is_no_vehicle(const Outline& outline, const Extent& length, const Extent& width) {
   const bool one_face = !(outline.face[0] && outline.face[1]);
-  return length.seen_m() > (one_face ? kWall_m : kTruck_m) || width.seen_m() > kCorner_m;
+  return outline.rough_m > kRough_m || length.seen_m() > (one_face ? kWall_m : kTruck_m) ||
+         width.seen_m() > kCorner_m;
 }
 
 Kind large_kind(const Outline& outline, const ObjectsConfig& config, double beyond) {
@@ -82,7 +85,7 @@ Kind large_kind(const Outline& outline, const ObjectsConfig& config, double beyo
             .confidence = vehicle_confidence(outline, length),
             .length_m = config.car_length_m,
             .width_m = config.car_width_m};
-  if (beyond > kBeyond_m || is_wall(outline, length, width)) {
+  if (beyond > kBeyond_m || is_no_vehicle(outline, length, width)) {
     kind = shown(ObjectClass::kRoadside, 0.8, config);
   } else if (bound_m(outline) < kVehicle_m) {
     kind = shown(ObjectClass::kUnknown, 0.5, config);

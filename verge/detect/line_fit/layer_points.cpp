@@ -18,8 +18,8 @@ std::vector<LayerPoint> layer_points(const Scan& scan, const LevelFrame& frame, 
     for (const std::size_t i : from_left(scan, rings[layer], mount.forward_rad)) {
       const double range_m = scan.range[i];
       const double azimuth_rad = wrap_pi(double{scan.azimuth[i]} - mount.forward_rad);
-      if (!(range_m > 0.0 && range_m < config.range_max_m) || std::fabs(azimuth_rad) > config.side_rad)
-        continue;
+      const bool is_within = range_m > 0.0 && range_m < config.range_max_m;
+      if (!is_within || std::fabs(azimuth_rad) > config.side_rad) continue;
       points.push_back({frame.to_level(scan.point(i)), layer, azimuth_rad, range_m, i});
     }
   }

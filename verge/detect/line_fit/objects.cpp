@@ -62,7 +62,8 @@ double share_at(Vec2 corner, Vec2 onward, Vec2 p) {
   if (across == 0.0) return kNone;
   const double on_m = -cross(corner, p) / across;
   const double share = dot(corner + on_m * onward, p) / dot(p, p);
-  return on_m >= 0.0 && share > 0.0 ? share : kNone;
+  if (on_m < 0.0 || share <= 0.0) return kNone;
+  return share;
 }
 
 /// Whether p stands behind the L as the sensor sees it: a return of something else past its end, or one from

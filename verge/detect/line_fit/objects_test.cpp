@@ -178,13 +178,18 @@ TEST(Objects, WhatIsSmallIsAPersonAPoleOrRoadsideByItsSizeAndPlace) {
   EXPECT_EQ(count(pole, ObjectClass::kPole), 1U);
 }
 
-TEST(Objects, WhatIsLongOrBeyondTheRoadIsRoadside) {
+TEST(Objects, WhatIsLongRoughOrBeyondTheRoadIsRoadside) {
   const auto wall = found({{{20.0, 6.0}, 20.0, 0.3, 0.0}}, 0.02);
   ASSERT_EQ(wall.size(), 1U);
   EXPECT_EQ(wall[0].object.type, ObjectClass::kRoadside);
   const auto beyond = found({car(12.0, 7.0)}, 0.02, {.left_m = 4.0});
   EXPECT_EQ(beyond.at(0).object.type, ObjectClass::kRoadside);
   EXPECT_EQ(found({car(12.0, 7.0)}, 0.02).at(0).object.type, ObjectClass::kCar);
+  std::vector<Block> hedge;  // 3 m of it, across the road, every other twig 25 cm farther back
+  for (int i = 0; i < 20; ++i) hedge.push_back({{8.0 + 0.25 * (i % 2), -1.5 + 0.15 * i}, 0.15, 0.15, 0.0});
+  const auto rough = found(hedge);
+  ASSERT_EQ(rough.size(), 1U);
+  EXPECT_EQ(rough[0].object.type, ObjectClass::kRoadside);
 }
 
 TEST(Objects, TheirEdgesHoldTheirReturns) {
