@@ -22,7 +22,8 @@ std::vector<Vec2> outline_of(const BevView& view, const Object& object) {
 }
 
 void draw_sign(Canvas& canvas, const BevView& view, const Object& object) {
-  if (!object.shape) return;
+  constexpr double kSmall_m = 1.0;  // the letters would hide it
+  if (!object.shape || object.size.length_m < kSmall_m) return;
   const TextStyle style{view.px(20.0), kText, true, Align::kCentre, kGround};
   canvas.text(view.at(object.center.xy()) + Vec2{0.0, view.px(7.0)}, name_of(*object.shape), style);
 }
