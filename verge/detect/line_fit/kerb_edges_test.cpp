@@ -21,8 +21,6 @@ KerbReturns returns_of(const Street& street, const std::vector<Object>& objects 
   return kerb_returns(points_of(street), objects, {});
 }
 
-double size_of(const std::vector<std::size_t>& returns) { return static_cast<double>(returns.size()); }
-
 /// The greatest distance of those points from a kerb at y.
 double farthest_m(const Street& street, const std::vector<std::size_t>& returns, double y) {
   const auto points = points_of(street);
@@ -53,8 +51,8 @@ TEST(KerbReturns, LieOnTheFacesOfBothKerbsAndNowhereElse) {
 TEST(KerbReturns, AreMirroredWithTheStreet) {
   const KerbReturns returns = returns_of({.left_m = 4.0, .right_m = -3.0});
   const KerbReturns mirrored = returns_of({.left_m = 3.0, .right_m = -4.0});
-  EXPECT_NEAR(size_of(returns.left), size_of(mirrored.right), 2.0);  // runs begin at their left end
-  EXPECT_NEAR(size_of(returns.right), size_of(mirrored.left), 2.0);
+  EXPECT_EQ(returns.left.size(), mirrored.right.size());
+  EXPECT_EQ(returns.right.size(), mirrored.left.size());
 }
 
 TEST(KerbReturns, AreNoneWithoutAKerb) {

@@ -3,6 +3,7 @@
 #include "verge/detect/line_fit/kerb_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -103,30 +104,44 @@ class Follower {
   std::optional<fit::Line> line_{};
 };
 
-/// From point `first` on, past up to two low returns that do not belong to it, and past what hides it.
-std::optional<KerbPiece> follow(std::span<const LayerPoint> points, const std::vector<bool>& low,
-                                std::size_t first, std::size_t end, const KerbConfig& config) {
+/// From the first point on, past up to two low returns that do not belong to it.
+std::optional<KerbPiece> follow(std::span<const LayerPoint> points, std::span<const std::size_t> outward,
+                                const KerbConfig& config) {
   constexpr std::size_t kStrays = 2;
   Follower follower(points, config);
   std::size_t strays = 0;
-  for (std::size_t i = first; i < end && strays <= kStrays; ++i) {
-    if (low[i]) strays = follower.take(i) ? 0 : strays + 1;
+  for (const std::size_t i : outward) {
+    strays = follower.take(i) ? 0 : strays + 1;
+    if (strays > kStrays) break;
   }
   return follower.piece();
 }
 
-/// Of the pieces from `first` on or from one of the next returns the longest: the first ones may still be of
+/// Of the pieces from the first point on or from one of the next the longest: the first ones may still be of
 /// the road before the kerb.
-std::optional<KerbPiece> best_from(std::span<const LayerPoint> points, const std::vector<bool>& low,
-                                   std::size_t first, std::size_t end, const KerbConfig& config) {
+std::optional<KerbPiece> best_from(std::span<const LayerPoint> points, std::span<const std::size_t> outward,
+                                   const KerbConfig& config) {
   constexpr std::size_t kStarts = 3;
-  auto best = follow(points, low, first, end, config);
+  auto best = follow(points, outward, config);
   if (!best) return best;
-  for (std::size_t i = first + 1; i < std::min(first + kStarts, end); ++i) {
-    auto piece = follow(points, low, i, end, config);
+  for (std::size_t i = 1; i < std::min(kStarts, outward.size()); ++i) {
+    auto piece = follow(points, outward.subspan(i), config);
     if (piece && piece->points.size() > best->points.size()) best = std::move(piece);
   }
   return best;
+}
+
+/// The low points of the layer, from straight ahead outward to either side: what hides some of them plays no
+/// part, and left and right are alike.
+std::array<std::vector<std::size_t>, 2> outward_of(std::span<const LayerPoint> points,
+                                                   const std::vector<bool>& low, std::size_t begin,
+                                                   std::size_t end) {
+  std::array<std::vector<std::size_t>, 2> sides;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (low[i]) sides.at(points[i].place.y > 0.0 ? 0 : 1).push_back(i);
+  }
+  std::ranges::reverse(sides[0]);
+  return sides;
 }
 
 }  // namespace
@@ -152,14 +167,14 @@ std::vector<KerbPiece> kerb_pieces(std::span<const LayerPoint> points, const std
                                    const KerbConfig& config) {
   std::vector<KerbPiece> pieces;
   for (const auto& [begin, end] : layers_of(points)) {
-    for (std::size_t i = begin; i < end;) {
-      if (!low[i]) {
-        ++i;
-        continue;
+    for (const std::vector<std::size_t>& outward : outward_of(points, low, begin, end)) {
+      for (std::size_t at = 0; at < outward.size();) {
+        auto piece = best_from(points, std::span(outward).subspan(at), config);
+        ++at;
+        if (!piece) continue;
+        while (at < outward.size() && outward[at - 1] != piece->points.back()) ++at;
+        pieces.push_back(*std::move(piece));
       }
-      auto piece = best_from(points, low, i, end, config);
-      i = piece ? piece->points.back() + 1 : i + 1;
-      if (piece) pieces.push_back(*std::move(piece));
     }
   }
   return pieces;

@@ -54,7 +54,7 @@ struct KerbConfig {
 /// A stretch along which a layer hits a kerb's face. It runs along the road, where the road's own returns lie
 /// on circles round the sensor.
 struct KerbPiece {
-  std::vector<std::size_t> points{};  ///< Into the layer points, from left to right.
+  std::vector<std::size_t> points{};  ///< Into the layer points, outward.
   fit::Line line;
 };
 
@@ -63,7 +63,8 @@ struct KerbPiece {
 [[nodiscard]] std::vector<bool> low_points(std::span<const LayerPoint> points,
                                            std::span<const Object> objects, const KerbConfig& config);
 
-/// The stretches of all layers, `low` as low_points() tells, in the order of the points.
+/// The stretches of all layers, `low` as low_points() tells, layer by layer, outward on the left, then on the
+/// right.
 [[nodiscard]] std::vector<KerbPiece> kerb_pieces(std::span<const LayerPoint> points,
                                                  const std::vector<bool>& low, const KerbConfig& config);
 
