@@ -51,7 +51,7 @@ double confidence_of(const Edge& edge) {
 std::optional<double> lateral_at(const Edge& edge, double x) {
   const Vec2 from = place_on(edge.curve, edge.from_m);
   const Vec2 to = place_on(edge.curve, edge.to_m);
-  if (!(from.x <= x && x <= to.x) || !(from.x < to.x)) return std::nullopt;
+  if (x < from.x || x > to.x || from.x >= to.x) return std::nullopt;
   return place_on(edge.curve, std::lerp(edge.from_m, edge.to_m, (x - from.x) / (to.x - from.x))).y;
 }
 
