@@ -115,19 +115,22 @@ Expected<void> write_report(const std::filesystem::path& folder, const study::Re
   if (!worst) return Unexpected(worst.error());
   auto corners = study::corner_pictures(results);
   if (!corners) return Unexpected(corners.error());
-  const std::vector<study::Gallery> galleries = {
+  auto galleries = study::edge_galleries(results);
+  if (!galleries) return Unexpected(galleries.error());
+  galleries->push_back(
       {"Corners",
        "Four lines seen from above, heading up, with the edges found; true corners are crosses, faint where "
        "they only look like one. Then the road's width from scan to scan: a corner is marked where it is "
        "first said.",
-       *std::move(corners)},
+       *std::move(corners)});
+  galleries->push_back(
       {"Worst scans",
        "Seen from above, heading up. Points by height, what was found in colour, the truth in white "
        "dashes over it.",
-       *std::move(worst)}};
+       *std::move(worst)});
   if (auto written = write_file(folder / "results.json", output.json); !written) return written;
   if (auto written = write_file(folder / "results.csv", output.csv); !written) return written;
-  return write_file(folder / "report.html", study::html_report(results, galleries, times));
+  return write_file(folder / "report.html", study::html_report(results, *galleries, times));
 }
 
 }  // namespace

@@ -71,6 +71,7 @@ constexpr std::array kPointStyles = std::to_array<LayerStyle>({
     {"candidates", "candidates", 2.6, 1.0, Hue::kOwn, rgb(0xFFD54A), Depth::kUnder},
     {"clusters", "clusters", 3.4, 1.2, Hue::kGroup, rgb(0xFF6FB5), Depth::kUnder},
     {"key points", "key points", 4.0, 2.0, Hue::kOwn, rgb(0xFFFFFF), Depth::kOver},
+    {"centroids", "centroids", 8.0, 3.0, Hue::kOwn, rgb(0xFFFFFF), Depth::kOver},
 });
 constexpr LayerStyle kOtherPoints{{}, {}, 3.0, 1.0, Hue::kGroup, rgb(0xE6EDF3), Depth::kUnder};
 
@@ -81,6 +82,27 @@ LayerStyle style_of(const Trace::Points& layer) {
   LayerStyle style = kOtherPoints;
   style.label = layer.name;
   return style;
+}
+
+/// How the lines whose names begin with a prefix are drawn, all with one entry of the legend.
+struct LineStyle {
+  std::string_view prefix;
+  std::string_view label;
+  Colour colour;
+};
+
+/// Lines that methods of paper 2 put through points: solid, in the paper's colours where it has some.
+constexpr std::array kLineStyles = std::to_array<LineStyle>({
+    {"least_squares ", "least squares", rgb(0xFF3B3B)},
+    {"theil_sen ", "Theil and Sen", rgb(0x2FD651)},
+    {"polynomial ", "polynomial", rgb(0xFF5FD2)},
+    {"hough segment ", "Hough segments", rgb(0xFFB000)},
+});
+
+const LineStyle* style_of(const Trace::Line& layer) {
+  const auto* const style = std::ranges::find_if(
+      kLineStyles, [&](const LineStyle& one) { return layer.name.starts_with(one.prefix); });
+  return style == kLineStyles.end() ? nullptr : &*style;
 }
 
 LegendSign sign_of(Hue hue) {
@@ -127,13 +149,17 @@ LegendEntry entry_of(const Trace::Points& layer, const LayerStyle& style) {
   return {sign_of(style.hue), style.colour, text};
 }
 
-/// Dotted lines, with one entry of the legend for all of one name.
+/// Lines, dotted where they have no style of their own; one entry of the legend for all of one name or style.
 void draw_lines(Canvas& canvas, const BevView& view, const std::vector<Trace::Line>& layers, Legend& legend) {
   for (const Trace::Line& layer : layers) {
-    canvas.line(view.line(layer.points), {view.px(2.5), kTraceLine, {view.px(0.5), view.px(6.0)}});
-    const bool named = std::any_of(legend.begin(), legend.end(),
-                                   [&](const LegendEntry& entry) { return entry.text == layer.name; });
-    if (!named) legend.push_back({LegendSign::kDottedLine, kTraceLine, layer.name});
+    const LineStyle* style = style_of(layer);
+    const Stroke stroke = style != nullptr ? Stroke{view.px(4.0), style->colour, {}}
+                                           : Stroke{view.px(2.5), kTraceLine, {view.px(0.5), view.px(6.0)}};
+    canvas.line(view.line(layer.points), stroke);
+    const std::string text(style != nullptr ? style->label : std::string_view(layer.name));
+    const bool named = std::ranges::find(legend, text, &LegendEntry::text) != legend.end();
+    const LegendSign sign = style != nullptr ? LegendSign::kLine : LegendSign::kDottedLine;
+    if (!named) legend.push_back({sign, stroke.colour, text});
   }
 }
 

@@ -187,12 +187,38 @@ TEST(BevPlot, LayersOfTheTraceAreDrawnAlsoUnknownOnes) {
   EXPECT_NE(d.at(14.025, 1.025), hex_of(kGround));
 }
 
-TEST(BevPlot, KeyPointsLieOnTheirBoundary) {
+TEST(BevPlot, LinesThroughPointsAreSolidInTheColoursOfThePaper) {
+  const Scan scan = empty_scan();
+  Trace trace;
+  const std::vector<std::pair<std::string, std::uint32_t>> lines = {{"least_squares 0", 0xFF3B3BU},
+                                                                    {"theil_sen 1", 0x2FD651U},
+                                                                    {"polynomial 12", 0xFF5FD2U},
+                                                                    {"hough segment 3", 0xFFB000U}};
+  for (const auto& [name, colour] : lines) {
+    const double y = 4.0 * static_cast<double>(trace.lines.size()) - 10.0;
+    trace.lines.push_back({name, {{-20.0, y, 0.0}, {20.0, y, 0.0}}});
+  }
+  trace.lines.push_back({"edge left", {{-20.0, 8.0, 0.0}, {20.0, 8.0, 0.0}}});
+  const Drawn d = drawn({scan, {}, &trace});
+  const auto coloured = [&](double y, std::uint32_t colour) {
+    int count = 0;
+    for (int i = 0; i < 100; ++i) count += d.at(4.0 + 0.1 * i, y) == colour ? 1 : 0;
+    return count;
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    EXPECT_EQ(coloured(4.0 * static_cast<double>(i) - 10.0, lines[i].second), 100) << lines[i].first;
+  EXPECT_GT(coloured(8.0, hex_of(kGround)), 20) << "dotted";
+}
+
+TEST(BevPlot, KeyPointsAndCentroidsLieOnBoundaries) {
   const Scan scan = empty_scan();
   const Scene scene = street();
   Trace trace;
   trace.points.push_back({"key points", {{5.025, 4.025, -1.8}}, {}});
-  EXPECT_EQ(drawn({scan, scene, &trace}).at(5.025, 4.025), 0xFFFFFFU);
+  trace.points.push_back({"centroids", {{9.025, 4.025, -1.8}}, {}});
+  const Drawn d = drawn({scan, scene, &trace});
+  EXPECT_EQ(d.at(5.025, 4.025), 0xFFFFFFU);
+  EXPECT_EQ(d.at(9.025, 4.025), 0xFFFFFFU);
 }
 
 TEST(BevPlot, TruthLiesOnTop) {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "verge/core/error.hpp"
+#include "verge/model/scene.hpp"
+#include "verge/scan/scan.hpp"
 #include "verge/study/engine.hpp"
 
 namespace verge::study {
@@ -41,6 +43,15 @@ struct Gallery {
   std::string about;
   std::vector<Picture> pictures;
 };
+
+/// Paper 2's figures from a scan that is prepared (pipeline::prepare): returns and gate, squares, edges,
+/// accumulator, lines of each kind, clusters; then what line_fit finds by default, with the truth where it is
+/// known. A figure that the scan has too little for is left out. Fails as emit::BevPlot::png().
+[[nodiscard]] Expected<std::vector<Picture>> edge_pictures(const Scan& scan, const Scene* truth);
+
+/// Of a suite that judges objects, where line_fit is judged: these pictures of a scan of each cell. Fails as
+/// see_again() and edge_pictures().
+[[nodiscard]] Expected<std::vector<Gallery>> edge_galleries(const Results& results);
 
 /// One page that needs nothing beside it: no network, no script.
 [[nodiscard]] std::string html_report(const Results& results, const std::vector<Gallery>& galleries,

@@ -381,6 +381,35 @@ TEST(CornerPictures, ShowADrivePastACorner) {
   EXPECT_THAT(pictures->at(4).caption, HasSubstr("width from scan to scan"));
 }
 
+// Paper 2's figures, where line_fit is judged.
+TEST(EdgeGalleries, ShowEachFigureOfAScanOfEachCell) {
+  Results results{.suite = suite_named("paper2", {.drives = 1, .scans = 2}),
+                  .contestants = {contestant_of("gradient")},
+                  .tallies = {}};
+  EXPECT_TRUE(edge_galleries(results)->empty());
+  results.contestants.push_back(contestant_of("line_fit:reading=paper"));
+  const auto galleries = edge_galleries(results);
+  ASSERT_TRUE(galleries.has_value());
+  ASSERT_EQ(galleries->size(), 1U);
+  std::string captions;
+  for (const Picture& picture : galleries->front().pictures) {
+    EXPECT_EQ(picture.png.substr(1, 3), "PNG");
+    captions += picture.caption + '\n';
+  }
+  for (const char* figure : {"Fig. 5, 14:", "Fig. 12:", "Fig. 13:", "Fig. 15a", "Fig. 15b:", "Fig. 15c:",
+                             "Fig. 16a:", "Fig. 16b:", "Fig. 17:", "Fig. 18:", "By default:"})
+    EXPECT_THAT(captions, HasSubstr(figure));
+}
+
+TEST(EdgePictures, LeaveOutWhatAScanHasTooLittleFor) {
+  Scan scan;
+  scan.mount = Mount{0.5, 0.0, 0.0, 0.0};
+  scan.ring_begin = {0};
+  const auto pictures = edge_pictures(scan, nullptr);
+  ASSERT_TRUE(pictures.has_value());
+  EXPECT_EQ(pictures->size(), 10U) << "all but the three rasters";
+}
+
 TEST(Plot, LeavesOutWhatIsNotFiniteAndIsEmptyWithoutAPoint) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   Plot plot;

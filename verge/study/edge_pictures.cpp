@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: The verge authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "verge/detect/registry.hpp"
+#include "verge/emit/bev_plot.hpp"
+#include "verge/emit/raster_plot.hpp"
+#include "verge/pipeline/stages.hpp"
+#include "verge/study/parts.hpp"
+#include "verge/study/report.hpp"
+
+// Paper 2's Fig. 5 and 12 to 18 from our scans, and what the method finds there by default.
+
+namespace verge::study {
+namespace {
+
+constexpr std::string_view kMethod = "line_fit";
+constexpr double kGate_m = 50.0;  // Fig. 6
+
+/// How far a picture reaches.
+struct Reach {
+  double ahead_m = 0.0;
+  double behind_m = 2.0;
+  double side_m = 0.0;
+};
+constexpr Reach kAll{120.0, 10.0, 65.0};
+constexpr Reach kGated{52.0, 2.0, 27.0};
+constexpr Reach kNear{32.0, 2.0, 17.0};
+
+/// What the method makes of a prepared scan.
+pipeline::Frame traced(const Scan& scan, const std::vector<Setting>& settings) {
+  pipeline::Frame frame;
+  frame.scan = scan;
+  pipeline::Options options{
+      .mount_hint = {}, .mount_config = {}, .method = std::string(kMethod), .config_hash = {}};
+  options.trace = true;
+  pipeline::detect_on(frame, *detect::make(kMethod, settings), options);
+  return frame;
+}
+
+/// The layers of points of these names, and the lines whose names begin with one of `lines`.
+Trace only(const Trace& all, std::initializer_list<std::string_view> points,
+           std::initializer_list<std::string_view> lines = {}) {
+  Trace some;
+  for (const std::string_view name : points) {
+    if (const Trace::Points* layer = all.find_points(name)) some.points.push_back(*layer);
+  }
+  for (const Trace::Line& line : all.lines) {
+    if (std::ranges::any_of(lines, [&](std::string_view name) { return line.name.starts_with(name); }))
+      some.lines.push_back(line);
+  }
+  return some;
+}
+
+/// The returns of the four layers, those beyond the gate apart.
+Trace by_gate(const Trace& ungated) {
+  Trace trace;
+  trace.points = {{fmt::format("within {:g} m", kGate_m), {}, {}},
+                  {fmt::format("beyond {:g} m", kGate_m), {}, {}}};
+  const Trace::Points* all = ungated.find_points("gate");
+  if (all == nullptr) return trace;
+  for (const Vec3 p : all->points) {
+    const int group = norm(p) < kGate_m ? 0 : 1;
+    Trace::Points& layer = trace.points.at(static_cast<std::size_t>(group));
+    layer.points.push_back(p);
+    layer.group.push_back(group);
+  }
+  return trace;
+}
+
+/// Where the accumulator's peaks are: theta in degrees and rho in metres.
+std::vector<Vec2> peaks_of(const Trace& trace) {
+  constexpr std::size_t kOfEach = 3;  // theta, rho, count
+  std::vector<Vec2> peaks;
+  const Trace::Values* values = trace.find_values("peaks");
+  if (values == nullptr) return peaks;
+  for (std::size_t i = 0; i + kOfEach <= values->values.size(); i += kOfEach)
+    peaks.push_back({values->values[i], values->values[i + 1]});
+  return peaks;
+}
+
+/// Pictures of one scan, until one of them fails.
+class Album {
+ public:
+  explicit Album(const Scan& scan) : scan_(scan) {
+    bare_.frame = scan.frame;
+    bare_.mount = scan.mount;
+    bare_.ring_begin = {0};
+    if (scan.mount) config_.up_rad = scan.mount->forward_rad;
+    config_.size_px = 700;
+  }
+
+  /// Layers of a trace alone.
+  void layers(std::string caption, const Trace& trace, Reach reach) {
+    from_above(std::move(caption), {.scan = bare_, .scene = {}, .trace = &trace}, reach);
+  }
+
+  /// The whole scan with what was found in it, and what is true.
+  void found(std::string caption, const Scene& scene, const Scene* truth, Reach reach) {
+    from_above(std::move(caption), {.scan = scan_, .scene = scene, .trace = nullptr, .truth = truth}, reach);
+  }
+
+  /// None where the scan has too little for one.
+  void raster(std::string caption, const Trace& trace, std::string_view name, emit::RasterColours colours,
+              const std::vector<Vec2>& marks = {}) {
+    const Trace::Raster* raster = trace.find_raster(name);
+    if (raster != nullptr) add(std::move(caption), emit::raster_png(*raster, colours, marks));
+  }
+
+  [[nodiscard]] Expected<std::vector<Picture>> finish() {
+    if (fault_) return Unexpected(*std::move(fault_));
+    return std::move(pictures_);
+  }
+
+ private:
+  void from_above(std::string caption, const emit::BevContent& content, Reach reach) {
+    config_.ahead_m = reach.ahead_m;
+    config_.behind_m = reach.behind_m;
+    config_.side_m = reach.side_m;
+    add(std::move(caption), emit::BevPlot(config_).png(content));
+  }
+
+  void add(std::string caption, Expected<std::string> png) {
+    if (png) {
+      pictures_.push_back({*std::move(png), std::move(caption)});
+    } else if (!fault_) {
+      fault_ = std::move(png).error();
+    }
+  }
+
+  const Scan& scan_;
+  Scan bare_;  ///< The same without its points.
+  emit::BevPlot::Config config_;
+  std::vector<Picture> pictures_;
+  std::optional<Error> fault_;
+};
+
+/// What the paper does, in its order.
+void add_printed(const Scan& scan, Album& album) {
+  using emit::RasterColours;
+  const Trace all = *traced(scan, {{"reading", "paper"}, {"range_max_m", "500"}}).trace;
+  const Trace printed = *traced(scan, {{"reading", "paper"}}).trace;
+  album.layers("Fig. 5, 14: the returns of four layers, those beyond the range gate in another colour",
+               by_gate(all), kAll);
+  album.layers("Fig. 15a (by the code of Fig. 6): those within the gate, by layer", only(printed, {"gate"}),
+               kGated);
+  album.layers("Fig. 12: the third layer", only(printed, {"layer"}), kGated);
+  album.raster("Fig. 15b: its points marked as squares", printed, "squares", RasterColours::kGrey);
+  album.raster("Fig. 15c: edges of the squares, by Canny", printed, "edges", RasterColours::kGrey);
+  album.raster("Fig. 16a: the Hough accumulator with its peaks", printed, "accumulator", RasterColours::kHeat,
+               peaks_of(printed));
+  album.layers("Fig. 16b: Hough lines", only(printed, {"layer"}, {"hough segment "}), kGated);
+  album.layers("Fig. 13: two clusters by k-means, and their centroids",
+               only(printed, {"groups", "centroids"}), kGated);
+  album.layers("Fig. 17: lines through all points of the layer, least squares red, Theil and Sen green",
+               only(printed, {"layer"}, {"least_squares ", "theil_sen "}), kGated);
+  album.layers("Fig. 18: a polynomial of degree 16 at the most, with a specified error, through the same",
+               only(printed, {"layer"}, {"polynomial "}), kGated);
+}
+
+/// The same estimators where the points were put in groups before, and what comes of it.
+void add_ours(const Scan& scan, const Scene* truth, Album& album) {
+  const Trace clusters =
+      *traced(scan, {{"grouping", "kmeans"}, {"layer", "2"}, {"estimator", "least_squares"}}).trace;
+  album.layers("As Fig. 17, k-means first: a line of each kind through each of the two clusters",
+               only(clusters, {"groups", "centroids"}, {"least_squares ", "theil_sen "}), kGated);
+  const pipeline::Frame usual = traced(scan, {});
+  album.layers("As Fig. 17, through the returns of each side's kerb (grouping = kerb)",
+               only(*usual.trace, {"groups"}, {"least_squares ", "theil_sen "}), kNear);
+  album.found("By default: edges, objects by class with their signs; the truth dashed", usual.scene, truth,
+              kNear);
+}
+
+/// A scan from the middle of a cell.
+Expected<ScanScore> middle_of(const Cell& cell) {
+  if (const auto* drives = std::get_if<MadeDrives>(&cell.scans))
+    return ScanScore{
+        .drive = 1, .scan = drives->first_scan + drives->step * (drives->scans / 2), .frame = {}};
+  const auto known = eval::find_labelled_scans(std::get<LabelledScans>(cell.scans).folder);
+  if (!known) return Unexpected(known.error());
+  const std::size_t middle = known->size() / 2;
+  return ScanScore{.scan = middle, .frame = known->at(middle).frame};
+}
+
+Expected<Gallery> gallery_of(const Cell& cell) {
+  const auto middle = middle_of(cell);
+  if (!middle) return Unexpected(middle.error());
+  const auto seen = see_again(cell, *middle, contestant_of(kMethod));
+  if (!seen) return Unexpected(seen.error());
+  auto pictures = edge_pictures(seen->frame.scan, &seen->truth);
+  if (!pictures) return Unexpected(std::move(pictures).error());
+  return Gallery{
+      fmt::format("Figures of paper 2: {}", cell.name),
+      fmt::format("Scan {}, heading up. What the paper prints is by reading = paper; its own data were "
+                  "never published.",
+                  seen->frame.scan.frame),
+      *std::move(pictures)};
+}
+
+}  // namespace
+
+Expected<std::vector<Picture>> edge_pictures(const Scan& scan, const Scene* truth) {
+  Album album(scan);
+  add_printed(scan, album);
+  add_ours(scan, truth, album);
+  return album.finish();
+}
+
+Expected<std::vector<Gallery>> edge_galleries(const Results& results) {
+  std::vector<Gallery> galleries;
+  const bool judged =
+      results.suite.judged.objects &&
+      std::ranges::find(results.contestants, kMethod, &Contestant::method) != results.contestants.end();
+  if (!judged) return galleries;
+  for (const Cell& cell : results.suite.cells) {
+    auto gallery = gallery_of(cell);
+    if (!gallery) return Unexpected(std::move(gallery).error());
+    galleries.push_back(*std::move(gallery));
+  }
+  return galleries;
+}
+
+}  // namespace verge::study
