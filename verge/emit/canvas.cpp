@@ -10,7 +10,7 @@
 
 #include <cairo.h>
 
-#include "verge/emit/json_text.hpp"
+#include "verge/model/json_text.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
 // Fontconfig keeps a pattern for each font it was asked for and never gives back the last ones: under 2 KiB a
@@ -221,7 +221,7 @@ void Canvas::rounded_box(Vec2 at, Vec2 size, double radius, Colour fill, const S
 
 void Canvas::text(Vec2 at, std::string_view text, const TextStyle& style) {
   cairo_t* const cr = state_->context.get();
-  const std::string shown = valid_utf8(text);
+  const std::string shown = model::valid_utf8(text);
   use_font(cr, style);
   const double shift = style.align == Align::kLeft ? 0.0 : style.align == Align::kCentre ? 0.5 : 1.0;
   const Vec2 from{at.x - shift * advance(cr, shown), at.y};
@@ -240,7 +240,7 @@ void Canvas::text(Vec2 at, std::string_view text, const TextStyle& style) {
 double Canvas::text_width(std::string_view text, const TextStyle& style) const {
   cairo_t* const cr = state_->context.get();
   use_font(cr, style);
-  return advance(cr, valid_utf8(text));
+  return advance(cr, model::valid_utf8(text));
 }
 
 Expected<std::string> Canvas::png() const {

@@ -18,7 +18,7 @@
 
 #include "verge/core/error.hpp"
 #include "verge/core/vec.hpp"
-#include "verge/emit/json_text.hpp"
+#include "verge/model/json_text.hpp"
 #include "verge/model/scene.hpp"
 
 namespace verge::emit {
@@ -26,7 +26,7 @@ namespace verge::emit {
 /// Where in the record a value stands: a chain up to the record itself, which has no step.
 struct Place {
   const Place* parent = nullptr;
-  JsonStep step = std::size_t{0};
+  model::JsonStep step = std::size_t{0};
 };
 
 /// Reads values out of a parsed record and remembers the first one that cannot be used. After that the rest
@@ -39,12 +39,12 @@ class RecordReader {
 
   void fail(const Place& place, std::string what, std::string got, std::string need) {
     if (fault_) return;
-    std::vector<JsonStep> path;
+    std::vector<model::JsonStep> path;
     for (const Place* p = &place; p->parent != nullptr; p = p->parent) path.push_back(p->step);
     std::reverse(path.begin(), path.end());
     fault_ = Error{ErrorCode::kUnusable,
                    {},
-                   fmt::format("{}:{}", line_number_, column_of(line_, path)),
+                   fmt::format("{}:{}", line_number_, model::column_of(line_, path)),
                    std::move(what),
                    std::move(got),
                    std::move(need)};

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "verge/emit/json_text.hpp"
 #include "verge/emit/record_reader.hpp"
 #include "verge/emit/scene_json.hpp"
 #include "verge/emit/scene_parts.hpp"
+#include "verge/model/json_text.hpp"
 
 namespace verge::emit {
 namespace {
@@ -139,7 +139,7 @@ Scene read_scene(RecordReader& reader, const json& record) {
 }  // namespace
 
 Expected<Scene> parse_scene(std::string_view line, std::size_t line_number) {
-  if (const auto fault = find_syntax_fault(line)) {
+  if (const auto fault = model::find_syntax_fault(line)) {
     return Unexpected({ErrorCode::kUnusable,
                        {},
                        fmt::format("{}:{}", line_number, fault->column),

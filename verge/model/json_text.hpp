@@ -9,7 +9,7 @@
 #include <string_view>
 #include <variant>
 
-namespace verge::emit {
+namespace verge::model {
 
 /// Why a text is not JSON, and the column (in bytes, from 1) of the last byte read.
 struct SyntaxFault {
@@ -27,7 +27,11 @@ using JsonStep = std::variant<std::string_view, std::size_t>;
 /// path must exist in it; of members of one name the last is meant, as in the parsed value.
 [[nodiscard]] std::size_t column_of(std::string_view text, std::span<const JsonStep> path);
 
+/// Where a column of `text` stands, "LINE:COLUMN" in the line that it falls into; its first line is number
+/// `first_line`.
+[[nodiscard]] std::string line_and_column(std::string_view text, std::size_t column, std::size_t first_line);
+
 /// `text` with every sequence of bytes that is not UTF-8 replaced by U+FFFD.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
 
-}  // namespace verge::emit
+}  // namespace verge::model

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/emit/json_text.hpp"
+#include "verge/model/json_text.hpp"
 
 #include <array>
 
 #include <gtest/gtest.h>
 
-namespace verge::emit {
+namespace verge::model {
 namespace {
 
 template <class... Steps>
@@ -34,6 +34,13 @@ TEST(ColumnOf, MembersAndElementsAreFoundPastNestedOnes) {
 TEST(ColumnOf, TheLastOfEqualNamesIsMeantHoweverItIsSpelled) {
   const std::string_view text = R"({"a":1,"b":2,"\u0061":3})";
   EXPECT_EQ(text.substr(column(text, "a") - 1, 1), "3");
+}
+
+TEST(LineAndColumn, CountsTheLinesBefore) {
+  const std::string_view text = "{\n \"a\":\n\n  1}";
+  EXPECT_EQ(line_and_column(text, 1, 7), "7:1");
+  EXPECT_EQ(line_and_column(text, column(text, "a"), 1), "4:3");
+  EXPECT_EQ(line_and_column(text, text.size() + 1, 1), "4:5");
 }
 
 TEST(SyntaxFault, TellsTheColumnOfTheLastByteRead) {
@@ -65,4 +72,4 @@ TEST(ValidUtf8, KeepsTextAndReplacesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace verge::emit
+}  // namespace verge::model

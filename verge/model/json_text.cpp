@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/emit/json_text.hpp"
+#include "verge/model/json_text.hpp"
 
 #include <algorithm>
 #include <cassert>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace verge::emit {
+namespace verge::model {
 namespace {
 
 using nlohmann::json;
@@ -128,9 +129,16 @@ std::size_t column_of(std::string_view text, std::span<const JsonStep> path) {
   return walker.at() + 1;
 }
 
+std::string line_and_column(std::string_view text, std::size_t column, std::size_t first_line) {
+  const std::string_view before = text.substr(0, column - 1);
+  const auto lines = static_cast<std::size_t>(std::ranges::count(before, '\n'));
+  const std::size_t begin = lines == 0 ? 0 : before.rfind('\n') + 1;
+  return fmt::format("{}:{}", first_line + lines, column - begin);
+}
+
 std::string valid_utf8(std::string_view text) {
   const std::string quoted = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
   return json::parse(quoted).get<std::string>();
 }
 
-}  // namespace verge::emit
+}  // namespace verge::model
