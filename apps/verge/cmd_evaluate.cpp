@@ -132,7 +132,8 @@ void add_suite(CLI::App& verb, EvaluateRequest& request) {
   add("--scans", request.scans, "of a suite: scans a drive, in the place of its own number")
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000));
-  add("--data", request.data, "of suite real: where the labelled sets lie (default: $VERGE_DATA)")
+  add("--data", request.data,
+      "of suites real and paper2-real: where the labelled sets lie (default: $VERGE_DATA)")
       ->type_name("FOLDER");
   add("-j,--jobs", request.jobs, "of a suite: parts worked on at once; 0: as many as the machine can")
       ->type_name("N")

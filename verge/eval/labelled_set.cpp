@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "verge/eval/box_labels.hpp"
 #include "verge/eval/files_below.hpp"
 #include "verge/eval/kerb_tables.hpp"
 #include "verge/eval/label_rings.hpp"
@@ -26,6 +27,9 @@ fs::path nuscenes_labels(const fs::path& scan) {
 }
 fs::path kitti_labels(const fs::path& scan) {
   return scan.parent_path().parent_path() / "labels" / (scan.stem().string() + ".label");
+}
+fs::path box_labels(const fs::path& scan) {
+  return scan.parent_path() / fmt::format("{}_boxes.json", frame_stem(scan.filename().string()));
 }
 fs::path kerb_labels(const fs::path& scan) { return fs::path(scan).replace_extension(".label"); }
 
@@ -79,6 +83,34 @@ Expected<std::vector<LabelledScan>> all_scans(const fs::path& place) {
   return tables.empty() ? scans_with_labels(*files) : scans_of_tables(tables);
 }
 
+/// Scans of which there are some, each frame once.
+Expected<std::vector<LabelledScan>> checked(std::vector<LabelledScan> scans, const fs::path& folder,
+                                            std::string_view none, std::string_view need) {
+  if (scans.empty()) {
+    return Unexpected(
+        Error{ErrorCode::kUnusable, folder.string(), {}, std::string(none), {}, std::string(need)});
+  }
+  std::set<std::string_view> frames;
+  for (const LabelledScan& scan : scans) {
+    if (frames.insert(scan.frame).second) continue;
+    return Unexpected(Error{ErrorCode::kUsage,
+                            folder.string(),
+                            {},
+                            "a scan stands in more than one folder: evaluate one data set at a time",
+                            scan.frame,
+                            {}});
+  }
+  return scans;
+}
+
+Expected<LabelledTruth> truth_of_boxes(const fs::path& boxes) {
+  auto objects = read_nuscenes_boxes(boxes);
+  if (!objects) return Unexpected(std::move(objects).error());
+  LabelledTruth truth;
+  truth.objects = *std::move(objects);
+  return truth;
+}
+
 }  // namespace
 
 std::string frame_stem(std::string_view name) {
@@ -89,25 +121,21 @@ std::string frame_stem(std::string_view name) {
 Expected<std::vector<LabelledScan>> find_labelled_scans(const fs::path& folder) {
   auto scans = all_scans(folder);
   if (!scans) return scans;
-  if (scans->empty()) {
-    return Unexpected(Error{ErrorCode::kUnusable,
-                            folder.string(),
-                            {},
-                            "has no labelled scans",
-                            {},
-                            "lidarseg/ or labels/ beside the scans, NAME.label, NAME.gt or truth.csv"});
+  return checked(*std::move(scans), folder, "has no labelled scans",
+                 "lidarseg/ or labels/ beside the scans, NAME.label, NAME.gt or truth.csv");
+}
+
+Expected<std::vector<LabelledScan>> find_boxed_scans(const fs::path& folder) {
+  const auto files = files_below(folder);
+  if (!files) return Unexpected(files.error());
+  const std::set<fs::path> there(files->begin(), files->end());
+  std::vector<LabelledScan> scans;
+  for (const fs::path& file : *files) {
+    const std::string name = file.filename().string();
+    if (!name.ends_with(".pcd.bin") || !there.contains(box_labels(file))) continue;
+    scans.push_back({frame_stem(name), LabelFormat::kBoxes, file, box_labels(file), {}});
   }
-  std::set<std::string_view> frames;
-  for (const LabelledScan& scan : *scans) {
-    if (frames.insert(scan.frame).second) continue;
-    return Unexpected(Error{ErrorCode::kUsage,
-                            folder.string(),
-                            {},
-                            "a scan stands in more than one folder: evaluate one data set at a time",
-                            scan.frame,
-                            {}});
-  }
-  return scans;
+  return checked(std::move(scans), folder, "has no scans with boxes", "NAME.pcd.bin and NAME_boxes.json");
 }
 
 Expected<LabelledTruth> read_labelled_truth(const LabelledScan& scan, double gap_m) {
@@ -127,6 +155,9 @@ Expected<LabelledTruth> read_labelled_truth(const LabelledScan& scan, double gap
       break;
     case LabelFormat::kKerbPolygons:
       truth = read_kerb_polygons(scan.labels);
+      break;
+    case LabelFormat::kBoxes:
+      truth = truth_of_boxes(scan.labels);
       break;
   }
   if (truth) truth->frame = scan.frame;

@@ -8,6 +8,7 @@
 
 #include "verge/core/vec.hpp"
 #include "verge/eval/clip.hpp"
+#include "verge/model/scene.hpp"
 
 namespace verge::eval {
 
@@ -19,7 +20,7 @@ struct TruePoint {
   std::optional<double> step_m;
 };
 
-/// What the labels of one scan say about the road's boundary, and where they say nothing.
+/// What the labels of one scan say about the road's boundary, and where they say nothing; or about objects.
 struct LabelledTruth {
   std::string frame;
   std::vector<TruePoint> points;
@@ -29,6 +30,7 @@ struct LabelledTruth {
   /// Points that are labelled as ground, where labels cover the whole scan; none where they cover a part of
   /// it.
   std::optional<std::vector<Vec2>> ground;
+  std::vector<Object> objects;  ///< Boxes that were drawn round objects; such labels say nothing else.
 };
 
 }  // namespace verge::eval

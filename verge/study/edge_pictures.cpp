@@ -185,10 +185,17 @@ Expected<ScanScore> middle_of(const Cell& cell) {
   if (const auto* drives = std::get_if<MadeDrives>(&cell.scans))
     return ScanScore{
         .drive = 1, .scan = drives->first_scan + drives->step * (drives->scans / 2), .frame = {}};
-  const auto known = eval::find_labelled_scans(std::get<LabelledScans>(cell.scans).folder);
+  const auto known = known_scans(std::get<LabelledScans>(cell.scans));
   if (!known) return Unexpected(known.error());
   const std::size_t middle = known->size() / 2;
   return ScanScore{.scan = middle, .frame = known->at(middle).frame};
+}
+
+/// How many of the true objects were seen.
+std::string seen_in(const Scene& truth) {
+  const auto seen =
+      std::ranges::count_if(truth.objects, [](const Object& object) { return object.confidence > 0.0; });
+  return fmt::format("{} of {} true objects are seen.", seen, truth.objects.size());
 }
 
 Expected<Gallery> gallery_of(const Cell& cell) {
@@ -198,12 +205,11 @@ Expected<Gallery> gallery_of(const Cell& cell) {
   if (!seen) return Unexpected(seen.error());
   auto pictures = edge_pictures(seen->frame.scan, &seen->truth);
   if (!pictures) return Unexpected(std::move(pictures).error());
-  return Gallery{
-      fmt::format("Figures of paper 2: {}", cell.name),
-      fmt::format("Scan {}, heading up. What the paper prints is by reading = paper; its own data were "
-                  "never published.",
-                  seen->frame.scan.frame),
-      *std::move(pictures)};
+  std::string about = fmt::format(
+      "Scan {}, heading up. What the paper prints is by reading = paper; its own data were never published.",
+      seen->frame.scan.frame);
+  if (!seen->truth.objects.empty()) about += ' ' + seen_in(seen->truth);
+  return Gallery{fmt::format("Figures of paper 2: {}", cell.name), std::move(about), *std::move(pictures)};
 }
 
 }  // namespace

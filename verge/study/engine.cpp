@@ -67,10 +67,10 @@ void add_drives(const Suite& suite, std::size_t cell, const MadeDrives& drives, 
 
 Expected<void> add_set(const Suite& suite, std::size_t cell, const LabelledScans& set,
                        const std::string& salt, std::vector<Job>& jobs) {
-  auto known = eval::find_labelled_scans(set.folder);
+  auto known = known_scans(set);
   if (!known) return Unexpected(std::move(known).error());
   Job job{.cell = cell, .known = *std::move(known)};
-  job.settings = settings_of(suite, salt) + fmt::format("{}\n", set.odd_only);
+  job.settings = settings_of(suite, salt) + fmt::format("{} {}\n", set.odd_only, set.boxes);
   for (const eval::LabelledScan& scan : job.known)
     job.settings += state_of(scan.scan) + state_of(scan.labels);
   job.scans = job.known.size();

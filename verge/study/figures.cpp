@@ -113,12 +113,13 @@ void add_boxes(std::string_view name, const eval::BoxScore& boxes, Collector& ad
   add(fmt::format("{}_heading_p95_deg", name), degrees(percentile(boxes.heading_error_rad, 95.0)));
 }
 
-void add_objects(const eval::ObjectScore& objects, Figures& figures, bool said) {
-  Collector known(figures);
+/// `judged`: whether there is truth of objects; `said`: whether the contestant reports any.
+void add_objects(const eval::ObjectScore& objects, Figures& figures, bool judged, bool said) {
+  Collector known(figures, judged);
   known("objects_true", number(objects.truth));
   known("cars_true", number(objects.cars.truth));
   known("two_faced_cars_true", number(objects.two_faced_cars.truth));
-  Collector add(figures, said);
+  Collector add(figures, judged && said);
   add("objects_predicted", number(objects.predicted));
   add("objects_precision", objects.precision());
   add("objects_recall", objects.recall());
@@ -161,6 +162,8 @@ Figures figures_of(const Suite& suite, const Contestant& contestant, const Tally
   add("damaged", number(tally.damaged));
   if (std::ranges::any_of(suite.cells, is_labelled)) {
     add_labels(suite, tally.labels, add);
+    const bool has_boxes = tally.labels.scans < tally.scans;
+    if (suite.judged.objects) add_objects(tally.objects, figures, has_boxes, contestant.says.objects);
     return figures;
   }
   if (suite.judged.boundaries) {
@@ -169,7 +172,7 @@ Figures figures_of(const Suite& suite, const Contestant& contestant, const Tally
     add_lines(tally, add);
   }
   if (suite.judged.corners) add_corners(tally.corners, figures, contestant.says.corners);
-  if (suite.judged.objects) add_objects(tally.objects, figures, contestant.says.objects);
+  if (suite.judged.objects) add_objects(tally.objects, figures, true, contestant.says.objects);
   return figures;
 }
 

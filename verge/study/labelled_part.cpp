@@ -11,6 +11,7 @@
 #include "verge/eval/label_score.hpp"
 #include "verge/io/source.hpp"
 #include "verge/pipeline/stages.hpp"
+#include "verge/study/box_score.hpp"
 
 namespace verge::study {
 namespace fs = std::filesystem;
@@ -127,8 +128,47 @@ Expected<void> add_scores(const LabelledScans& set, std::span<const eval::Labell
   return {};
 }
 
-/// What the labels say, as boundaries: the joined segments, and the points that stand alone.
-Scene scene_of(const eval::LabelledTruth& truth, double height_m) {
+/// A prepared scan, read on its own. Fails as io::open() and where there is none in the file.
+Expected<pipeline::Frame> frame_of(const fs::path& file) {
+  const std::atomic<bool> never{false};
+  const PartHooks hooks{never, [] {}, [](const std::string&) {}};
+  Feed feed({file}, hooks);
+  auto frame = feed.next();
+  if (!frame) return Unexpected(std::move(frame).error());
+  if (!*frame)
+    return Unexpected(Error{ErrorCode::kUnusable, file.string(), {}, "has no scan that can be read", {}, {}});
+  return **std::move(frame);
+}
+
+double f1_of(const eval::ObjectScore& score) {
+  const auto all = static_cast<double>(score.predicted + score.truth);
+  return all > 0.0 ? 2.0 * static_cast<double>(score.matched) / all : 1.0;
+}
+
+/// Adds how the objects were found that boxes are drawn round.
+Expected<void> add_box_scores(std::span<const eval::LabelledScan> known, const Predictions& predictions,
+                              Tally& tally) {
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    auto truth = eval::read_labelled_truth(known[i], kGap_m);
+    if (!truth) return Unexpected(std::move(truth).error());
+    const auto frame = frame_of(known[i].scan);
+    if (!frame) return Unexpected(frame.error());
+    const auto found = predictions.find(known[i].frame);
+    const bool is_absent = found == predictions.end();
+    const eval::ObjectScore score =
+        score_boxes(is_absent ? Scene{} : found->second, boxed_truth(std::move(truth->objects), frame->scan));
+    tally.objects += score;
+    ++tally.scans;
+    tally.absent += is_absent ? 1U : 0U;
+    note_poorest(tally, {f1_of(score), 0, i, known[i].frame});
+  }
+  return {};
+}
+
+/// What the labels say: boxes, or boundaries on the road below the sensor.
+Scene scene_of(const eval::LabelledTruth& truth, bool boxes, const Scan& scan) {
+  if (boxes) return boxed_truth(truth.objects, scan);
+  const double height_m = scan.mount ? -scan.mount->height_m : 0.0;
   Scene scene;
   scene.frame = truth.frame;
   for (const eval::Segment& segment : truth.segments) {
@@ -140,6 +180,10 @@ Scene scene_of(const eval::LabelledTruth& truth, double height_m) {
 }
 
 }  // namespace
+
+Expected<std::vector<eval::LabelledScan>> known_scans(const LabelledScans& set) {
+  return set.boxes ? eval::find_boxed_scans(set.folder) : eval::find_labelled_scans(set.folder);
+}
 
 Expected<std::optional<Tally>> judge_labelled(const LabelledScans& set,
                                               std::span<const eval::LabelledScan> known,
@@ -153,13 +197,15 @@ Expected<std::optional<Tally>> judge_labelled(const LabelledScans& set,
     found = *std::move(predicted);
   }
   const Predictions& predictions = contestant.predictions ? *contestant.predictions : *found;
-  if (auto added = add_scores(set, known, predictions, tally); !added) return Unexpected(added.error());
+  const auto added =
+      set.boxes ? add_box_scores(known, predictions, tally) : add_scores(set, known, predictions, tally);
+  if (!added) return Unexpected(added.error());
   return tally;
 }
 
 Expected<Seen> see_labelled_again(const LabelledScans& set, const ScanScore& wanted,
                                   const Contestant& contestant) {
-  const auto known = eval::find_labelled_scans(set.folder);
+  const auto known = known_scans(set);
   if (!known) return Unexpected(known.error());
   const auto truth = eval::read_labelled_truth(known->at(wanted.scan), kGap_m);
   if (!truth) return Unexpected(truth.error());
@@ -177,8 +223,8 @@ Expected<Seen> see_labelled_again(const LabelledScans& set, const ScanScore& wan
     if (!wanted_here) continue;
     if (contestant.predictions && contestant.predictions->contains(wanted.frame))
       (*frame)->scene = contestant.predictions->find(wanted.frame)->second;
-    const double height_m = (*frame)->scan.mount ? -(*frame)->scan.mount->height_m : 0.0;
-    return Seen{**std::move(frame), scene_of(*truth, height_m)};
+    Scene true_scene = scene_of(*truth, set.boxes, (*frame)->scan);
+    return Seen{**std::move(frame), std::move(true_scene)};
   }
   return Unexpected(
       Error{ErrorCode::kUnusable, set.folder.string(), {}, "the scan is gone", wanted.frame, {}});

@@ -36,7 +36,10 @@ struct PartHooks {
                                                             std::span<const Contestant* const> contestants,
                                                             const PartHooks& hooks);
 
-/// The labelled scans of a set, `known` is what eval::find_labelled_scans() has of it: the contestant's
+/// The scans of a set. Fails as eval::find_labelled_scans() and eval::find_boxed_scans().
+[[nodiscard]] Expected<std::vector<eval::LabelledScan>> known_scans(const LabelledScans& set);
+
+/// The labelled scans of a set, `known` is what known_scans() has of it: the contestant's
 /// tally, or none where it was stopped. Scans that cannot be read are warned of and count as damaged. Fails
 /// as io::open() and eval::read_labelled_truth() do.
 [[nodiscard]] Expected<std::optional<Tally>> judge_labelled(const LabelledScans& set,

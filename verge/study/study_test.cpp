@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -342,6 +344,55 @@ TEST_F(Engine, ATinySuitesTableIsWhatIsWorkedOutByHand) {
             "a kerb  program      1      1.000   0.524      0.000\n");
   EXPECT_THAT(notes_on(results),
               testing::ElementsAre("program does not report corners: such figures are \"-\"."));
+}
+
+/// Nothing but returns of one ring 10 m ahead, from y = -2 m to 2 m, in the file's own axes.
+std::string returns_ahead() {
+  std::string bytes;
+  for (int i = -20; i <= 20; ++i) {
+    for (const float value : {0.1F * static_cast<float>(i), 10.0F, 0.0F, 9.0F, 0.0F}) {
+      std::array<char, sizeof value> raw{};
+      std::memcpy(raw.data(), &value, sizeof value);
+      bytes.append(raw.data(), raw.size());
+    }
+  }
+  return bytes;
+}
+
+TEST_F(Engine, ObjectsAreJudgedAgainstTheBoxesThatReturnsHit) {
+  write(folder_ / "a.pcd.bin", returns_ahead());
+  write(folder_ / "a_boxes.json", R"({"boxes": [
+    {"class": "car", "box_xyz_lwh_yaw_lidar": [1, 10, 0, 1.8, 4, 1.5, 0]},
+    {"class": "pedestrian", "box_xyz_lwh_yaw_lidar": [-1.2, 10, 0, 0.35, 0.35, 1.7, 0]},
+    {"class": "pedestrian", "box_xyz_lwh_yaw_lidar": [-1.7, 10, 0, 0.15, 0.15, 1.7, 0]},
+    {"class": "car", "box_xyz_lwh_yaw_lidar": [1, 30, 0, 1.8, 4, 1.5, 0]}]})");
+  Scene scene;
+  const auto say = [&](ObjectClass type, Vec3 center) {
+    scene.objects.push_back({.type = type, .center = center, .size = {4.0, 1.8, 1.5}, .confidence = 1.0});
+  };
+  say(ObjectClass::kCar, {10.0, -1.0, 0.0});      // the car that was hit
+  say(ObjectClass::kCar, {30.0, -1.0, 0.0});      // the one that was not: does not count
+  say(ObjectClass::kRoadside, {20.0, 9.0, 0.0});  // nobody draws boxes round these
+  say(ObjectClass::kCar, {20.0, -9.0, 0.0});      // wrong
+  Suite suite;
+  suite.judged = {.boundaries = true, .corners = false, .objects = true};
+  suite.cells = {{.name = "boxes", .scans = LabelledScans{.folder = folder_, .boxes = true}}};
+  suite.columns = {{"f1", "F1"},
+                   {"objects_true", "true", 0},
+                   {"objects_predicted", "said", 0},
+                   {"objects_precision", "precision"},
+                   {"objects_recall", "recall"},
+                   {"car_f1", "car F1"}};
+  const std::atomic<bool> stop{false};
+  const RunHooks hooks{[](std::size_t, std::size_t) {}, [](const std::string&) {}};
+  const auto results = run(suite, {contestant_of("program", Predictions{{"a", scene}})}, {}, hooks, stop);
+  ASSERT_TRUE(results.has_value()) << to_string(results.error());
+  EXPECT_EQ(to_text(tables_of(*results).at(0)),
+            "case   method   F1  true  said  precision  recall  car F1\n"
+            "boxes  program   -     2     2      0.500   0.500   0.667\n");
+  const auto worst = worst_scans(*results, 1);
+  ASSERT_TRUE(worst.has_value()) << to_string(worst.error());
+  EXPECT_THAT(worst->at(0).caption, HasSubstr("scan a, F1 0.500"));
 }
 
 TEST_F(Engine, CsvAndJsonSayTheFiguresOfTheTable) {

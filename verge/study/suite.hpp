@@ -36,6 +36,7 @@ struct MadeDrives {
 struct LabelledScans {
   std::filesystem::path folder;
   bool odd_only = false;  ///< Judged are the scans at odd places, counted from 0; all are looked at.
+  bool boxes = false;     ///< Judged are objects against boxes (box_score.hpp), not boundaries.
 };
 
 /// A row of a suite's table: scans of one kind.
@@ -84,7 +85,8 @@ struct Suite {
 struct SuiteRequest {
   std::optional<std::size_t> drives{};  ///< Of each cell, in the place of the suite's own number.
   std::optional<std::size_t> scans{};   ///< Of each drive, likewise.
-  std::filesystem::path data{};         ///< Where the public labelled sets lie; of suite real alone.
+  std::filesystem::path
+      data{};  ///< Where the public labelled sets lie; of suites real and paper2-real alone.
 };
 
 struct SuiteEntry {

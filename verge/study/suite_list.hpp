@@ -14,6 +14,7 @@ namespace verge::study {
 [[nodiscard]] Suite paper1_suite(const SuiteRequest& request);
 [[nodiscard]] Suite paper1_coarse_suite(const SuiteRequest& request);
 [[nodiscard]] Suite paper2_suite(const SuiteRequest& request);
+[[nodiscard]] Suite paper2_real_suite(const SuiteRequest& request);
 [[nodiscard]] Suite paper3_suite(const SuiteRequest& request);
 [[nodiscard]] Suite degradation_suite(const SuiteRequest& request);
 [[nodiscard]] Suite corners_suite(const SuiteRequest& request);

@@ -30,6 +30,8 @@ std::span<const SuiteEntry> suites() {
       SuiteEntry{"paper1", "M1 and M2 by corner radius and speed, four-layer scanner", paper1_suite},
       SuiteEntry{"paper1-coarse", "the same with points half a degree apart", paper1_coarse_suite},
       SuiteEntry{"paper2", "a two-lane road between parked cars, LUX", paper2_suite},
+      SuiteEntry{"paper2-real", "the same of public scans: labelled roads, and boxes round objects",
+                 paper2_real_suite},
       SuiteEntry{"paper3", "670 frames, and 230 straight and 80 corner ones, HDL-32E", paper3_suite},
       SuiteEntry{"real", "the labelled public sets", real_suite},
       SuiteEntry{"degradation", "what noise, kerb height, pitch, parked cars, lost returns and bends cost",
