@@ -173,8 +173,7 @@ void add_parts(std::span<const LayerPoint> points, const std::vector<std::size_t
 }  // namespace
 
 Clusters object_clusters(std::span<const LayerPoint> points, const ObjectsConfig& config) {
-  std::vector<Vec2> places;
-  for (const LayerPoint& p : points) places.push_back(p.place.xy());
+  const std::vector<Vec2> places = places_of(points);
   Clusters parted;
   for (auto& cluster : cluster::merge_near(places, clusters_of_layers(points, config), config.layer_gap_m)) {
     std::erase_if(cluster, [&](std::size_t i) { return points[i].place.z < config.object_height_min_m; });

@@ -14,20 +14,12 @@
 namespace verge::detect::line_fit {
 namespace {
 
-std::vector<Vec2> places_of(std::span<const LayerPoint> points) {
-  std::vector<Vec2> places;
-  places.reserve(points.size());
-  for (const LayerPoint& p : points) places.push_back(p.place.xy());
-  return places;
-}
-
 /// Each layer parted at its breakpoints, and what layers see near to each other put together.
 std::vector<std::vector<std::size_t>> clusters_of(std::span<const LayerPoint> points,
                                                   const ObjectsConfig& config) {
   const std::vector<Vec2> places = places_of(points);
   std::vector<std::vector<std::size_t>> clusters;
-  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
-    while (end < points.size() && points[end].layer == points[begin].layer) ++end;
+  for (const auto& [begin, end] : layers_of(points)) {
     for (auto& cluster : cluster::breakpoint_clusters(
              std::span(places).subspan(begin, end - begin),
              {.incidence_rad = config.incidence_rad, .sigma_m = config.range_sigma_m})) {

@@ -13,16 +13,6 @@ namespace {
 
 constexpr std::size_t kLeast = 3;  // returns of a piece
 
-/// Points [begin, end) of each layer, lowest first.
-std::vector<std::pair<std::size_t, std::size_t>> layers_of(std::span<const LayerPoint> points) {
-  std::vector<std::pair<std::size_t, std::size_t>> layers;
-  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
-    while (end < points.size() && points[end].layer == points[begin].layer) ++end;
-    layers.emplace_back(begin, end);
-  }
-  return layers;
-}
-
 /// Whether the layer sees something higher right above the point.
 bool is_beneath(const LayerPoint& low, std::span<const LayerPoint> layer, const KerbConfig& config) {
   const double aside_rad = config.beneath_m / std::max(low.range_m, config.beneath_m);

@@ -26,4 +26,20 @@ std::vector<LayerPoint> layer_points(const Scan& scan, const LevelFrame& frame, 
   return points;
 }
 
+std::vector<std::pair<std::size_t, std::size_t>> layers_of(std::span<const LayerPoint> points) {
+  std::vector<std::pair<std::size_t, std::size_t>> layers;
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+    while (end < points.size() && points[end].layer == points[begin].layer) ++end;
+    layers.emplace_back(begin, end);
+  }
+  return layers;
+}
+
+std::vector<Vec2> places_of(std::span<const LayerPoint> points) {
+  std::vector<Vec2> places;
+  places.reserve(points.size());
+  for (const LayerPoint& p : points) places.push_back(p.place.xy());
+  return places;
+}
+
 }  // namespace verge::detect::line_fit

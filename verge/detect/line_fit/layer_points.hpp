@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "verge/core/fields.hpp"
@@ -50,5 +52,11 @@ struct LayerPoint {
 /// `frame` is that of the mount.
 [[nodiscard]] std::vector<LayerPoint> layer_points(const Scan& scan, const LevelFrame& frame,
                                                    const Mount& mount, const LayerPointsConfig& config);
+
+/// Points [begin, end) of each layer, lowest first; layers without points are left out.
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> layers_of(std::span<const LayerPoint> points);
+
+/// The points seen from above, in their order.
+[[nodiscard]] std::vector<Vec2> places_of(std::span<const LayerPoint> points);
 
 }  // namespace verge::detect::line_fit

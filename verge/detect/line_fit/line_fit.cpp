@@ -93,8 +93,7 @@ Scene LineFit::process(const Scan& scan, Trace* trace) {
   auto found = printed ? std::vector<FoundObject>{}
                        : find_objects(gated, mount.height_m, config_.objects);  // III-C: "-", "J", "L"
   const auto points = chosen_layer(gated, config_);                             // IV
-  std::vector<Vec2> places;
-  for (const LayerPoint& p : points) places.push_back(p.place.xy());
+  const std::vector<Vec2> places = places_of(points);
   const EdgeGrouping grouping = printed ? EdgeGrouping::kNone : config_.grouping;
   const auto groups = groups_of(points, objects_in(found), grouping, config_);      // IV
   const auto lines = edges_by(config_.estimator, places, groups, config_, silent);  // III

@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "verge/core/angle.hpp"
+
 namespace verge::detect::line_fit {
 namespace {
-
-double degrees(double rad) { return rad * 180.0 / std::numbers::pi; }
 
 /// A picture from above: its columns go to the right, its rows backwards.
 Trace::Raster raster_of(std::string name, const raster::Picture& picture, const raster::Grid& grid) {
@@ -30,12 +29,12 @@ Trace::Raster raster_of(std::string name, const raster::Picture& picture, const 
 Trace::Raster raster_of(const raster::Accumulator& accumulator, double cell_m) {
   const auto rows = static_cast<std::size_t>(accumulator.bins());
   const auto cols = static_cast<std::size_t>(accumulator.angles);
-  const double first_deg = degrees(accumulator.theta_rad(0));
+  const double first_deg = rad_to_deg(accumulator.theta_rad(0));
   Trace::Raster raster{"accumulator",
                        rows,
                        cols,
                        std::vector<float>(rows * cols),
-                       {"theta", "deg", first_deg, degrees(accumulator.theta_rad(1)) - first_deg},
+                       {"theta", "deg", first_deg, rad_to_deg(accumulator.theta_rad(1)) - first_deg},
                        {"rho", "m", -accumulator.reach * cell_m, cell_m}};
   for (std::size_t angle = 0; angle < cols; ++angle) {
     const auto column = accumulator.column(static_cast<int>(angle));
@@ -111,7 +110,7 @@ void Recorder::hough(const HoughSteps& steps) {
   trace_->rasters.push_back(raster_of(steps.accumulator, steps.grid.cell_m));
   Trace::Values peaks{"peaks", {}};
   for (const raster::HoughPeak& peak : steps.peaks) {
-    peaks.values.insert(peaks.values.end(), {degrees(peak.theta_rad), peak.rho_px * steps.grid.cell_m,
+    peaks.values.insert(peaks.values.end(), {rad_to_deg(peak.theta_rad), peak.rho_px * steps.grid.cell_m,
                                              static_cast<double>(peak.count)});
   }
   trace_->values.push_back(std::move(peaks));
