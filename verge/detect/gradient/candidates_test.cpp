@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "verge/core/angle.hpp"
-#include "verge/detect/gradient/kerb_scene.hpp"
+#include "verge/detect/test_kerbs.hpp"
 
 namespace verge::detect::gradient {
 namespace {

@@ -8,14 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "verge/detect/gradient/kerb_scene.hpp"
+#include "verge/detect/test_kerbs.hpp"
 #include "verge/scan/organise.hpp"
 
 namespace verge::detect {
 namespace {
 
-using gradient::testing::kerb_scan;
-using gradient::testing::KerbScene;
+using testing::kerb_scan;
+using testing::KerbScene;
 
 TEST(Gradient, FindsBothKerbsOfAStraightRoadWhereTheyAre) {
   Gradient detector;

@@ -2,67 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
-#include "verge/core/vec.hpp"
 #include "verge/detect/gradient/gradient.hpp"
-#include "verge/scan/mount.hpp"
-#include "verge/scan/scan.hpp"
+#include "verge/scan/quadrants.hpp"
 
 namespace verge::detect::gradient {
 
-/// The four regions of II-1 (2), in the level frame along the road (x forward, y left). The paper's x points
-/// right and its y forward: a: x > 0, y > 0; b: x < 0, y > 0; c: x > 0, y < 0; d: x < 0, y < 0.
-enum class Quadrant : std::uint8_t {
-  kA,  ///< Front right.
-  kB,  ///< Front left.
-  kC,  ///< Rear right.
-  kD,  ///< Rear left.
-};
-inline constexpr std::array kQuadrants{Quadrant::kA, Quadrant::kB, Quadrant::kC, Quadrant::kD};
+/// A scan line in one of the regions a to d.
+using Layer = QuadrantRing;
 
-/// The quadrant of a point of the level frame; an axis belongs to its left and its front.
-[[nodiscard]] constexpr Quadrant quadrant_of(Vec3 p) {
-  if (p.x >= 0.0) return p.y >= 0.0 ? Quadrant::kB : Quadrant::kA;
-  return p.y >= 0.0 ? Quadrant::kD : Quadrant::kC;
+/// II-1 (1), with the gate of the settings.
+[[nodiscard]] inline std::vector<LowRing> height_gate(const Scan& scan, const LevelFrame& frame,
+                                                      const GradientConfig& config) {
+  return verge::height_gate(
+      scan, frame, {config.height_max_m, config.lateral_max_m, config.forward_max_m, config.range_min_m});
 }
-
-[[nodiscard]] constexpr bool is_front(Quadrant q) { return q == Quadrant::kA || q == Quadrant::kB; }
-[[nodiscard]] constexpr bool is_right(Quadrant q) { return q == Quadrant::kA || q == Quadrant::kC; }
-
-/// +1 where walking from the road's axis outward is counter-clockwise (b, c), -1 where it is clockwise (a,
-/// d). Along a scan line taken counter-clockwise a kerb's heights increase in b and c and decrease in a and
-/// d: this is the sign of the gradient (A2.2-1).
-[[nodiscard]] constexpr int outward_sign(Quadrant q) {
-  return q == Quadrant::kB || q == Quadrant::kC ? 1 : -1;
-}
-
-/// The returns of one scan line in one region, in the level frame, from the road's axis outward.
-struct Layer {
-  std::size_t ring = 0;  ///< Of the scan, 0 = lowest.
-  Quadrant region = Quadrant::kA;
-  double elevation_rad = 0.0;  ///< Median elevation of the ring in the sensor's frame.
-  double spacing_rad = 0.0;    ///< Median angle between neighbouring returns of the ring.
-  std::vector<Vec3> points;
-};
-
-/// II-1 (1): what the height gate leaves of one scan line, counter-clockwise in the level frame.
-struct LowRing {
-  std::size_t ring = 0;
-  double elevation_rad = 0.0;
-  double spacing_rad = 0.0;
-  std::vector<Vec3> points;
-};
-
-/// II-1 (1): the returns below height_max_m above the road and within the region of interest, by scan line.
-/// Rings without such returns are left out.
-[[nodiscard]] std::vector<LowRing> height_gate(const Scan& scan, const LevelFrame& frame,
-                                               const GradientConfig& config);
-
-/// II-1 (2): each scan line in its four regions, empty ones left out, ordered by region and then by ring.
-[[nodiscard]] std::vector<Layer> split_quadrants(const std::vector<LowRing>& low);
 
 }  // namespace verge::detect::gradient

@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <optional>
 
-#include "verge/detect/gradient/regions.hpp"
+#include "verge/scan/quadrants.hpp"
 #include "verge/scan/scan.hpp"
 
-// Closed-form scenes for the tests of this folder: flat ground, straight kerbs along the road, no noise.
+// Closed-form scenes for tests: flat ground, straight kerbs along the road, no noise.
 // Nothing is shared with the simulator.
-namespace verge::detect::gradient::testing {
+namespace verge::detect::testing {
 
 struct KerbScene {
   double sensor_height_m = 1.9;
@@ -24,10 +24,10 @@ struct KerbScene {
 [[nodiscard]] std::optional<Vec3> hit(const KerbScene& scene, double elevation_rad, double azimuth_rad);
 
 /// One scan line in one region, from the road's axis outward.
-[[nodiscard]] Layer kerb_layer(const KerbScene& scene, Quadrant region, double elevation_rad,
-                               std::size_t ring = 0);
+[[nodiscard]] QuadrantRing kerb_layer(const KerbScene& scene, Quadrant region, double elevation_rad,
+                                      std::size_t ring = 0);
 
 /// All of a sensor with `rings` scan lines from -25 to -2 degrees, levelled, with its mount.
 [[nodiscard]] Scan kerb_scan(const KerbScene& scene, std::size_t rings);
 
-}  // namespace verge::detect::gradient::testing
+}  // namespace verge::detect::testing

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/detect/gradient/regions.hpp"
+#include "verge/scan/quadrants.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "verge/core/statistics.hpp"
 
-namespace verge::detect::gradient {
+namespace verge {
 namespace {
 
 /// Grows with the direction of (x, y) from -pi to pi, without trigonometry.
@@ -42,9 +42,9 @@ double median_spacing(const Scan& scan, std::size_t begin, std::size_t end) {
   return median(spacing).value_or(0.0);
 }
 
-bool is_low(Vec3 p, const GradientConfig& config) {
-  return p.z < config.height_max_m && std::abs(p.y) < config.lateral_max_m &&
-         std::abs(p.x) < config.forward_max_m && norm(p.xy()) > config.range_min_m;
+bool is_low(Vec3 p, const LowGate& gate) {
+  return p.z < gate.height_max_m && std::abs(p.y) < gate.lateral_max_m &&
+         std::abs(p.x) < gate.forward_max_m && norm(p.xy()) > gate.range_min_m;
 }
 
 /// Starts the ring at the smallest direction of the level frame: tilt and heading have moved the seam.
@@ -56,7 +56,7 @@ void start_at_seam(std::vector<Vec3>& points) {
 
 }  // namespace
 
-std::vector<LowRing> height_gate(const Scan& scan, const LevelFrame& frame, const GradientConfig& config) {
+std::vector<LowRing> height_gate(const Scan& scan, const LevelFrame& frame, const LowGate& gate) {
   std::vector<LowRing> low;
   for (std::size_t r = 0; r < scan.ring_count(); ++r) {
     const auto [begin, end] = scan.ring(r);
@@ -64,7 +64,7 @@ std::vector<LowRing> height_gate(const Scan& scan, const LevelFrame& frame, cons
     for (std::size_t i = begin; i < end; ++i) {
       if (!(scan.range[i] > 0.0F)) continue;
       const Vec3 p = frame.to_level(scan.point(i));
-      if (is_low(p, config)) ring.points.push_back(p);
+      if (is_low(p, gate)) ring.points.push_back(p);
     }
     if (ring.points.empty()) continue;
     ring.elevation_rad = median_elevation(scan, begin, end);
@@ -75,11 +75,11 @@ std::vector<LowRing> height_gate(const Scan& scan, const LevelFrame& frame, cons
   return low;
 }
 
-std::vector<Layer> split_quadrants(const std::vector<LowRing>& low) {
-  std::vector<Layer> layers;
+std::vector<QuadrantRing> split_quadrants(const std::vector<LowRing>& low) {
+  std::vector<QuadrantRing> layers;
   for (const Quadrant region : kQuadrants) {
     for (const LowRing& ring : low) {
-      Layer layer{ring.ring, region, ring.elevation_rad, ring.spacing_rad, {}};
+      QuadrantRing layer{ring.ring, region, ring.elevation_rad, ring.spacing_rad, {}};
       std::copy_if(ring.points.begin(), ring.points.end(), std::back_inserter(layer.points),
                    [region](Vec3 p) { return quadrant_of(p) == region; });
       if (outward_sign(region) < 0) std::reverse(layer.points.begin(), layer.points.end());
@@ -89,4 +89,4 @@ std::vector<Layer> split_quadrants(const std::vector<LowRing>& low) {
   return layers;
 }
 
-}  // namespace verge::detect::gradient
+}  // namespace verge

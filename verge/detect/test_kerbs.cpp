@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include "verge/detect/gradient/kerb_scene.hpp"
+#include "verge/detect/test_kerbs.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +9,7 @@
 #include "verge/core/angle.hpp"
 #include "verge/scan/organise.hpp"
 
-namespace verge::detect::gradient::testing {
+namespace verge::detect::testing {
 
 std::optional<Vec3> hit(const KerbScene& scene, double elevation_rad, double azimuth_rad) {
   const double fall = -std::tan(elevation_rad);  // metres down for each metre of ground range
@@ -25,8 +25,8 @@ std::optional<Vec3> hit(const KerbScene& scene, double elevation_rad, double azi
   return at((scene.sensor_height_m - scene.kerb_m) / fall);
 }
 
-Layer kerb_layer(const KerbScene& scene, Quadrant region, double elevation_rad, std::size_t ring) {
-  Layer layer{ring, region, elevation_rad, scene.step_rad, {}};
+QuadrantRing kerb_layer(const KerbScene& scene, Quadrant region, double elevation_rad, std::size_t ring) {
+  QuadrantRing layer{ring, region, elevation_rad, scene.step_rad, {}};
   const double start = is_front(region) ? 0.0 : std::numbers::pi;
   const int n = static_cast<int>(std::numbers::pi / 2 / scene.step_rad);
   for (int i = 0; i < n; ++i) {
@@ -56,4 +56,4 @@ Scan kerb_scan(const KerbScene& scene, std::size_t rings) {
   return scan;
 }
 
-}  // namespace verge::detect::gradient::testing
+}  // namespace verge::detect::testing
