@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "verge/detect/gradient/gradient.hpp"
+#include "verge/detect/lda/lda.hpp"
 #include "verge/detect/line_fit/line_fit.hpp"
 #include "verge/detect/road_width/road_width.hpp"
 
@@ -39,6 +40,12 @@ constexpr std::array kMethods{
         "steps by gradient along the rings in four quadrants, k-means, and a line or B-spline a side",
         "Zhong et al., Road boundary detection algorithm based on multi-line 3D laser radar, "
         "IJEART 3(8), 2017"),
+    entry<Lda>(
+        "lda", Order::kIndependent,
+        "paper 3's baseline, reconstructed: a linear discriminant of windows along the rings, and a line "
+        "or quadratic a side",
+        "Liu, Tang, Ren, J. Huazhong Univ. of Sci. and Tech. (Nat. Sci.), 2011, as Zhong et al. 2017 "
+        "name it (the text is not to be found)"),
     entry<LineFit>(
         "line_fit", Order::kIndependent,
         "road edges and objects on four layers: kerbs, Hough lines, least squares, Theil-Sen, k-means",
