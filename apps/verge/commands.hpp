@@ -22,5 +22,6 @@ void add_evaluate(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_methods(CLI::App& program, Action& action);
 void add_simulate(CLI::App& program, Action& action);
+void add_train(CLI::App& program, Action& action);
 
 }  // namespace verge::app

@@ -23,7 +23,7 @@ namespace {
 
 /// Every verb; a new one is one more here and in commands.hpp.
 constexpr std::array kVerbs{
-    add_convert, add_detect, add_evaluate, add_info, add_methods, add_simulate,
+    add_convert, add_detect, add_evaluate, add_info, add_methods, add_simulate, add_train,
 };
 
 constexpr const char* kExamples =
@@ -34,6 +34,7 @@ constexpr const char* kExamples =
     "  verge methods gradient                           # which settings are there?\n"
     "  verge simulate made-up                           # a drive whose boundaries are known\n"
     "  verge evaluate boundaries.jsonl --truth made-up/truth.jsonl  # how far from the truth?\n"
+    "  verge train lda -o lda.toml                      # the model of a method that learns\n"
     "  verge detect --help                              # options of a verb\n";
 
 ExitCode refuse(const std::string& what) {

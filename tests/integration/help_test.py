@@ -7,7 +7,7 @@ import unittest
 
 from verge_cli import CliTest, run
 
-VERBS = ("convert", "detect", "evaluate", "info", "methods", "simulate")
+VERBS = ("convert", "detect", "evaluate", "info", "methods", "simulate", "train")
 
 
 class Help(CliTest):

@@ -9,74 +9,15 @@
 #include <fmt/format.h>
 
 #include "verge/eval/label_score.hpp"
-#include "verge/io/source.hpp"
 #include "verge/pipeline/stages.hpp"
 #include "verge/study/box_score.hpp"
+#include "verge/study/labelled_feed.hpp"
 
 namespace verge::study {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kGap_m = 0.6;  // as `verge evaluate --labels`
 constexpr double kPoorAt_m = 0.3;
-
-/// The folders in which the scans lie, each once, in order.
-std::vector<fs::path> folders_of(std::span<const eval::LabelledScan> known) {
-  std::vector<fs::path> folders;
-  for (const eval::LabelledScan& scan : known) {
-    const fs::path folder = scan.scan.parent_path();
-    if (!scan.scan.empty() && std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
-  }
-  return folders;
-}
-
-/// Prepared frames of a set in order, as `verge detect` sees them.
-class Feed {
- public:
-  Feed(std::vector<fs::path> folders, const PartHooks& hooks) : folders_(std::move(folders)), hooks_(hooks) {}
-
-  /// The next scan that can be read; none at the end. Fails as io::open().
-  [[nodiscard]] Expected<std::optional<pipeline::Frame>> next() {
-    while (true) {
-      if (!source_) {
-        if (folder_ == folders_.size()) return std::optional<pipeline::Frame>();
-        auto opened = io::open(folders_[folder_++]);
-        if (!opened) return Unexpected(std::move(opened).error());
-        source_ = *std::move(opened);
-      }
-      if (auto frame = of_source()) return frame;
-    }
-  }
-
-  [[nodiscard]] std::size_t damaged() const { return damaged_; }
-
- private:
-  [[nodiscard]] std::optional<pipeline::Frame> of_source() {
-    while (true) {
-      auto scan = source_->next();
-      if (!scan) {
-        ++damaged_;
-        hooks_.warning(to_string(scan.error()));
-        continue;
-      }
-      if (!*scan) break;
-      pipeline::Frame frame;
-      frame.scan = **std::move(scan);
-      const auto begin = std::chrono::steady_clock::now();
-      pipeline::prepare(frame, {});
-      frame.times.mount_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      return frame;
-    }
-    source_.reset();
-    return std::nullopt;
-  }
-
-  std::vector<fs::path> folders_;
-  const PartHooks& hooks_;
-  std::size_t folder_ = 0;
-  std::unique_ptr<io::Source> source_;
-  std::size_t damaged_ = 0;
-};
 
 double seconds_to_detect(pipeline::Frame& frame, detect::Detector& detector, const Contestant& contestant) {
   const auto begin = std::chrono::steady_clock::now();
@@ -90,7 +31,7 @@ Expected<std::optional<Predictions>> predict(std::span<const eval::LabelledScan>
                                              const Contestant& contestant, const PartHooks& hooks,
                                              Tally& tally) {
   const auto detector = detector_of(contestant);
-  Feed feed(folders_of(known), hooks);
+  LabelledFeed feed(scan_folders(known), hooks.warning);
   Predictions predictions;
   while (true) {
     if (hooks.stop.load()) return std::optional<Predictions>();
@@ -115,7 +56,7 @@ double f1_of(const eval::LabelScore& score) {
 Expected<void> add_scores(const LabelledScans& set, std::span<const eval::LabelledScan> known,
                           const Predictions& predictions, Tally& tally) {
   for (std::size_t i = set.odd_only ? 1 : 0; i < known.size(); i += set.odd_only ? 2 : 1) {
-    const auto truth = eval::read_labelled_truth(known[i], kGap_m);
+    const auto truth = eval::read_labelled_truth(known[i], kLabelGap_m);
     if (!truth) return Unexpected(truth.error());
     const auto found = predictions.find(known[i].frame);
     const Scene* prediction = found == predictions.end() ? nullptr : &found->second;
@@ -130,9 +71,7 @@ Expected<void> add_scores(const LabelledScans& set, std::span<const eval::Labell
 
 /// A prepared scan, read on its own. Fails as io::open() and where there is none in the file.
 Expected<pipeline::Frame> frame_of(const fs::path& file) {
-  const std::atomic<bool> never{false};
-  const PartHooks hooks{never, [] {}, [](const std::string&) {}};
-  Feed feed({file}, hooks);
+  LabelledFeed feed({file}, [](const std::string&) {});
   auto frame = feed.next();
   if (!frame) return Unexpected(std::move(frame).error());
   if (!*frame)
@@ -149,7 +88,7 @@ double f1_of(const eval::ObjectScore& score) {
 Expected<void> add_box_scores(std::span<const eval::LabelledScan> known, const Predictions& predictions,
                               Tally& tally) {
   for (std::size_t i = 0; i < known.size(); ++i) {
-    auto truth = eval::read_labelled_truth(known[i], kGap_m);
+    auto truth = eval::read_labelled_truth(known[i], kLabelGap_m);
     if (!truth) return Unexpected(std::move(truth).error());
     const auto frame = frame_of(known[i].scan);
     if (!frame) return Unexpected(frame.error());
@@ -207,12 +146,10 @@ Expected<Seen> see_labelled_again(const LabelledScans& set, const ScanScore& wan
                                   const Contestant& contestant) {
   const auto known = known_scans(set);
   if (!known) return Unexpected(known.error());
-  const auto truth = eval::read_labelled_truth(known->at(wanted.scan), kGap_m);
+  const auto truth = eval::read_labelled_truth(known->at(wanted.scan), kLabelGap_m);
   if (!truth) return Unexpected(truth.error());
-  const std::atomic<bool> never{false};
-  const PartHooks hooks{never, [] {}, [](const std::string&) {}};
   const auto detector = contestant.predictions ? nullptr : detector_of(contestant);
-  Feed feed(folders_of(*known), hooks);
+  LabelledFeed feed(scan_folders(*known), [](const std::string&) {});
   while (true) {
     auto frame = feed.next();
     if (!frame) return Unexpected(std::move(frame).error());
