@@ -18,20 +18,21 @@ double pseudo_angle(Vec3 p) {
   return (p.y >= 0.0 ? 2.0 : -2.0) - sine;
 }
 
-/// A ring's medians, from at most so many returns spread evenly over it.
-constexpr std::size_t kSamples = 64;
-
-double median_elevation(const Scan& scan, std::size_t begin, std::size_t end) {
-  const std::size_t stride = (end - begin) / kSamples + 1;
-  std::vector<double> elevation;
-  for (std::size_t i = begin; i < end; i += stride) {
-    const double x = static_cast<double>(scan.x[i]);
-    const double y = static_cast<double>(scan.y[i]);
-    if (scan.range[i] > 0.0F)
-      elevation.push_back(std::atan2(static_cast<double>(scan.z[i]), std::hypot(x, y)));
+/// Of all returns of a ring: the mean of a sample would differ when the scan is mirrored or turned, and what
+/// lies at the edge of a threshold with it.
+double mean_elevation(const Scan& scan, std::size_t begin, std::size_t end) {
+  double sines = 0.0;
+  std::size_t n = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!(scan.range[i] > 0.0F)) continue;
+    sines += static_cast<double>(scan.z[i]) / static_cast<double>(scan.range[i]);
+    ++n;
   }
-  return median(elevation).value_or(0.0);
+  return n > 0 ? std::asin(std::clamp(sines / static_cast<double>(n), -1.0, 1.0)) : 0.0;
 }
+
+/// From at most so many returns spread evenly over the ring.
+constexpr std::size_t kSamples = 64;
 
 double median_spacing(const Scan& scan, std::size_t begin, std::size_t end) {
   const std::size_t stride = (end - begin) / kSamples + 1;
@@ -67,7 +68,7 @@ std::vector<LowRing> height_gate(const Scan& scan, const LevelFrame& frame, cons
       if (is_low(p, gate)) ring.points.push_back(p);
     }
     if (ring.points.empty()) continue;
-    ring.elevation_rad = median_elevation(scan, begin, end);
+    ring.elevation_rad = mean_elevation(scan, begin, end);
     ring.spacing_rad = median_spacing(scan, begin, end);
     start_at_seam(ring.points);
     low.push_back(std::move(ring));

@@ -62,7 +62,7 @@ double height_over(const Layer& layer, std::size_t begin, Vec3 foot, const Gradi
   double since_top = 0.0;
   double walked = 0.0;
   for (std::size_t i = begin + 1; i + 1 < p.size() && since_top <= config.after_m && walked < kReach; ++i) {
-    const double step = distance(p[i - 1].xy(), p[i].xy());
+    const double step = across_beams(p[i - 1], p[i]);
     const double z = (p[i - 1].z + p[i].z + p[i + 1].z) / 3.0;
     since_top = z > top ? 0.0 : since_top + step;
     walked += step;
@@ -100,18 +100,18 @@ class FootFinder {
     constexpr double kFar = 1.25;  // metres
     std::size_t first = begin;
     for (double before = 0.0; first > 0; --first) {
-      before += distance(layer.points[first - 1].xy(), layer.points[first].xy());
+      before += across_beams(layer.points[first - 1], layer.points[first]);
       if (before > kFar) break;
     }
     return first;
   }
 
-  /// From return i to the next one, in the plane.
+  /// From return i to the next one.
   [[nodiscard]] double spacing(std::size_t i) const {
-    return distance(layer_.points[i].xy(), layer_.points[i + 1].xy());
+    return across_beams(layer_.points[i], layer_.points[i + 1]);
   }
 
-  /// (arc length from the step, height).
+  /// (length across the beams from the step, height).
   [[nodiscard]] Vec2 at(std::size_t i) const { return {arc_[i - first_], layer_.points[i].z}; }
 
   /// The returns of the road before the step that are not nearer to it than `near`.

@@ -68,11 +68,12 @@ std::vector<std::size_t> with_gaps_filled(const std::vector<std::size_t>& key,
 /// Samples of the least-squares spline that smooths a boundary; the points themselves where there is none.
 std::vector<Vec2> smoothed(const std::vector<Vec2>& points, const GradientConfig& config) {
   constexpr double kSample = 0.25;  // metres
+  constexpr double kSparse = 0.1;   // metres: a lower floor takes the few feet far out for outliers
   fit::SplineFitOptions options;
   options.span_m = config.spline_span_m;
   options.penalty = config.spline_penalty;
   options.robust = fit::RobustOptions{};
-  options.robust->scale_floor_m = kScaleFloor;
+  options.robust->scale_floor_m = kSparse;
   const auto smooth = fit::fit_spline(points, options);
   return smooth ? fit::sample(smooth->curve, kSample) : points;
 }

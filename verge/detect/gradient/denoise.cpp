@@ -9,6 +9,8 @@
 namespace verge::detect::gradient {
 namespace {
 
+constexpr double kPerMetre = 0.2;  // how far a boundary may lie aside of where it led, a metre on: it bends
+
 /// Distance on level ground between two rings of those elevations, at ground range rho: (rho^2 + h^2) / h per
 /// radian.
 double ring_spacing(double rho, double height, double elevation_a, double elevation_b) {
@@ -44,10 +46,10 @@ std::optional<double> continues(const Chain& chain, const Candidate& next, doubl
   if (next.ring - last.ring > static_cast<std::size_t>(config.link_skip) + 1) return std::nullopt;
   const Vec2 step = foot_of(next) - foot_of(last);
   const double spacing = ring_spacing(norm(foot_of(next)), height, last.elevation_rad, next.elevation_rad);
-  if (norm(step) > std::max(config.link_min_m, config.link_factor * spacing)) return std::nullopt;
+  const double widest = std::min(config.link_max_m, config.link_factor * spacing);
+  if (norm(step) > std::max(config.link_min_m, widest)) return std::nullopt;
   if (const auto heading = heading_of(chain)) {
-    constexpr double kBack = -0.1;     // metres: noise may take a step back
-    constexpr double kPerMetre = 0.2;  // a boundary may bend
+    constexpr double kBack = -0.1;  // metres: noise may take a step back
     const double along = dot(*heading, step);
     const double aside = std::abs(cross(*heading, step));
     if (along < kBack || aside > config.link_lateral_m + kPerMetre * std::max(along, 0.0))
@@ -56,24 +58,43 @@ std::optional<double> continues(const Chain& chain, const Candidate& next, doubl
   return norm(step);
 }
 
-/// Whether a rear chain runs on from a front chain, and how far apart their inner ends are.
-std::optional<double> runs_on(const Chain& front, const Chain& rear, const GradientConfig& config) {
+/// How many scan lines cross a bridge between the place where it is nearest to the sensor and the first point
+/// of a chain, and show no boundary there. Those that would only touch it lie at the elevation of that place.
+double scan_lines_missing(const Chain& chain, double nearest_m, double height_m) {
+  const Candidate& first = chain.points[0];
+  const Candidate& second = chain.points[1];
+  const double step =
+      (second.elevation_rad - first.elevation_rad) / static_cast<double>(second.ring - first.ring);
+  const double touching = -std::atan2(height_m, nearest_m);
+  if (!(step > 0.0)) return 0.0;
+  return std::clamp((first.elevation_rad - touching) / step, 0.0, static_cast<double>(first.ring));
+}
+
+/// Whether a rear chain runs on from a front chain, and how far apart their inner ends are. What lies between
+/// them must be what scan lines do not cross, be it 15 m: not the mouth of a side road.
+std::optional<double> runs_on(const Chain& front, const Chain& rear, double height_m,
+                              const GradientConfig& config) {
   constexpr double kTouching = 0.3;  // metres: too close for a direction of its own
-  constexpr double kFarthest = 8.0;
-  constexpr std::size_t kLook = 3;  // points from the end that show its direction
+  constexpr std::size_t kLook = 3;   // points from the end that show its direction
   const Vec2 a = foot_of(front.points.front());
   const Vec2 b = foot_of(rear.points.front());
   const double apart = distance(a, b);
-  const double reach =
-      2.0 * std::max(norm(a), norm(b));  // the innermost scan line leaves at most its diameter open
-  if (front.obstacle != rear.obstacle || apart > std::min(kFarthest, reach)) return std::nullopt;
+  if (front.obstacle != rear.obstacle) return std::nullopt;
   if (apart <= kTouching) return apart;
   const auto bridge = direction(b, a);
+  const double nearest = std::abs(cross(*bridge, a));
+  const double missing =
+      std::max(scan_lines_missing(front, nearest, height_m), scan_lines_missing(rear, nearest, height_m));
+  if (missing > static_cast<double>(config.link_skip)) return std::nullopt;
   const auto ahead = direction(a, foot_of(front.points[std::min(kLook, front.points.size() - 1)]));
   const auto behind = direction(foot_of(rear.points[std::min(kLook, rear.points.size() - 1)]), b);
-  if (!bridge || !ahead || !behind) return std::nullopt;
+  if (!ahead || !behind) return std::nullopt;
   const double worst = std::min({dot(*ahead, *bridge), dot(*behind, *bridge), dot(*ahead, *behind)});
-  return worst >= config.join_cosine ? std::optional(apart) : std::nullopt;
+  // In a bend the bridge turns as much after the rear chain as the front chain does after it; a bridge that
+  // turns there and back leads from one boundary to another beside it.
+  const double there_and_back = 0.5 * std::abs(cross(*behind, *bridge) - cross(*bridge, *ahead));
+  const bool beside = there_and_back * apart > config.link_lateral_m + kPerMetre * apart;
+  return worst >= config.join_cosine && !beside ? std::optional(apart) : std::nullopt;
 }
 
 /// A front and a rear chain, by index, that are one boundary.
@@ -85,11 +106,12 @@ struct Join {
 /// The nearest pairs first, each chain once: no matter which of the two is looked at first, so that what is
 /// ahead and what is behind are alike.
 std::vector<Join> nearest_joins(const std::vector<const Chain*>& front, const std::vector<const Chain*>& rear,
-                                const GradientConfig& config) {
+                                double height_m, const GradientConfig& config) {
   std::vector<Join> possible;
   for (std::size_t f = 0; f < front.size(); ++f) {
     for (std::size_t r = 0; r < rear.size(); ++r) {
-      if (const auto apart = runs_on(*front[f], *rear[r], config)) possible.push_back({*apart, f, r});
+      if (const auto apart = runs_on(*front[f], *rear[r], height_m, config))
+        possible.push_back({*apart, f, r});
     }
   }
   std::stable_sort(possible.begin(), possible.end(),
@@ -146,7 +168,7 @@ std::vector<Chain> link_layers(Quadrant region, const std::vector<Candidate>& ca
   return chains;
 }
 
-std::vector<Strand> join_front_and_rear(const std::vector<Chain>& chains, bool right,
+std::vector<Strand> join_front_and_rear(const std::vector<Chain>& chains, bool right, double height_m,
                                         const GradientConfig& config) {
   std::vector<const Chain*> front;
   std::vector<const Chain*> rear;
@@ -154,7 +176,7 @@ std::vector<Strand> join_front_and_rear(const std::vector<Chain>& chains, bool r
     if (is_right(chain.region) == right) (is_front(chain.region) ? front : rear).push_back(&chain);
   }
   std::vector<Strand> strands;
-  for (const Join& join : nearest_joins(front, rear, config)) {
+  for (const Join& join : nearest_joins(front, rear, height_m, config)) {
     strands.push_back(strand_of(rear[join.rear], front[join.front], right));
     front[join.front] = nullptr;
     rear[join.rear] = nullptr;

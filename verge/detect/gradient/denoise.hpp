@@ -36,9 +36,9 @@ struct Strand {
 };
 
 /// The chains of one side of the road as strands: a front chain and the rear chain that runs on from it are
-/// joined beside the vehicle, where scan lines run along the boundary and none crosses it. Obstacles stay
-/// only where they are as long as a wall.
+/// joined beside the vehicle, where scan lines run along the boundary and none crosses it; at most link_skip
+/// of those that should may be missing at either end. Obstacles stay only where they are as long as a wall.
 [[nodiscard]] std::vector<Strand> join_front_and_rear(const std::vector<Chain>& chains, bool right,
-                                                      const GradientConfig& config);
+                                                      double height_m, const GradientConfig& config);
 
 }  // namespace verge::detect::gradient

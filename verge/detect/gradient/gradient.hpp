@@ -43,17 +43,19 @@ struct GradientConfig {
 
   // II-1 (2): gradient
   double before_m = 1.3;
-  double after_m = 0.5;
+  double after_m = 0.3;
   double rise_min_m = 0.03;
   double rise_max_m = 0.35;
   double noise_factor = 3.0;
 
   // II-1 (3): K and clusters
-  double gap_min_m = 0.5;
+  double gap_min_m = 0.8;
   double gap_factor = 3.0;
+  double climb_m = 0.2;
   std::int64_t points_min = 3;
   double link_min_m = 0.8;
   double link_factor = 2.5;
+  double link_max_m = 10.0;
   double link_lateral_m = 0.2;
   std::int64_t link_skip = 2;
   std::int64_t layers_min = 3;
@@ -97,6 +99,9 @@ struct GradientConfig {
           {"gap_min_m", "m", 0.01, 5.0, "d_threshold = m: least gap that parts two clusters of a scan line",
            "P3 II-1 (3); value ours"});
     visit(self.gap_factor, {"gap_factor", "1", 0.0, 100.0, "m is at least this many point spacings", "ours"});
+    visit(self.climb_m,
+          {"climb_m", "m", 0.0, 5.0,
+           "a gap along the beams parts a scan line only where it climbs or falls more than this", "ours"});
     visit(self.points_min,
           {"points_min", "1", 1, 1000, "least points of a cluster (the paper's certain threshold)",
            "P3 II-1 (3); value ours"});
@@ -105,6 +110,10 @@ struct GradientConfig {
            "P3 II-1 (3), adjacent layer; value ours"});
     visit(self.link_factor, {"link_factor", "1", 0.1, 20.0,
                              "m between adjacent layers in spacings of their rings on the ground", "ours"});
+    visit(self.link_max_m,
+          {"link_max_m", "m", 0.5, 100.0,
+           "and at most: far out, where rings lie wide apart, more would join what does not belong together",
+           "ours"});
     visit(self.link_lateral_m,
           {"link_lateral_m", "m", 0.01, 5.0,
            "how far a cluster's next point may lie off its direction, plus a fifth of the step", "ours"});

@@ -77,7 +77,7 @@ struct Windows {
 std::vector<double> arc_of(const Layer& layer) {
   std::vector<double> arc(layer.points.size(), 0.0);
   for (std::size_t i = 1; i < arc.size(); ++i) {
-    arc[i] = arc[i - 1] + distance(layer.points[i - 1].xy(), layer.points[i].xy());
+    arc[i] = arc[i - 1] + across_beams(layer.points[i - 1], layer.points[i]);
   }
   return arc;
 }
@@ -87,7 +87,10 @@ std::vector<std::size_t> pieces_of(const Layer& layer, const std::vector<double>
   std::vector<std::size_t> piece(arc.size(), 0);
   for (std::size_t i = 1; i < arc.size(); ++i) {
     const double spacing = norm(layer.points[i].xy()) * layer.spacing_rad;
-    const bool gap = arc[i] - arc[i - 1] > std::max(config.gap_min_m, config.gap_factor * spacing);
+    const double widest = std::max(config.gap_min_m, config.gap_factor * spacing);
+    const Vec3 step = layer.points[i] - layer.points[i - 1];
+    const bool jumps = norm(step.xy()) > widest && std::abs(step.z) > config.climb_m;
+    const bool gap = arc[i] - arc[i - 1] > widest || jumps;
     piece[i] = piece[i - 1] + (gap ? 1 : 0);
   }
   return piece;

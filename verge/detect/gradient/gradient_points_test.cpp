@@ -41,6 +41,36 @@ TEST_P(GradientIn, AsPrintedStandsAtTheKerbAsWell) {
 
 INSTANTIATE_TEST_SUITE_P(All, GradientIn, ::testing::ValuesIn(kQuadrants));
 
+// At 20 m the scan line comes 1.3 m nearer while it climbs the face: along it the rise is as flat as a
+// cross-fall.
+TEST(GradientPoints, AKerbAheadIsFoundFarOut) {
+  testing::KerbScene scene;
+  scene.lateral_m = 3.0;
+  for (const Quadrant region : kQuadrants) {
+    const Layer layer = testing::kerb_layer(scene, region, deg_to_rad(-5.3));
+    const GradientPoints points = gradient_points(layer, {});
+    ASSERT_FALSE(points.index.empty());
+    for (const std::size_t i : points.index) EXPECT_NEAR(std::abs(layer.points[i].y), 3.0, 0.4);
+    EXPECT_GT(*std::max_element(points.rise_m.begin(), points.rise_m.end()), 0.06);
+  }
+}
+
+// A kerb that runs along the beams is one jump of the scan line, from the road to the sidewalk.
+TEST(GradientPoints, AStepAlongTheBeamsIsNoGapUnlessItIsHigh) {
+  const Layer flat = testing::kerb_layer({.kerb_m = 0.0}, Quadrant::kB, deg_to_rad(-6.0));
+  const auto with_step = [&](double height_m) {
+    Layer layer = flat;
+    for (std::size_t i = 100; i < layer.points.size(); ++i) {
+      Vec3& p = layer.points[i];
+      const double share = (1.9 - height_m) / 1.9;
+      p = {share * p.x, share * p.y, height_m};
+    }
+    return gradient_points(layer, {}).index.size();
+  };
+  EXPECT_GT(with_step(0.15), 0U);
+  EXPECT_EQ(with_step(0.6), 0U);
+}
+
 TEST(GradientPoints, AFlatRoadHasNone) {
   testing::KerbScene flat;
   flat.kerb_m = 0.0;

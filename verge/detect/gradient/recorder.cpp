@@ -11,27 +11,32 @@ Trace::Points& Recorder::points_named(const char* name) {
   return trace_->points.emplace_back(Trace::Points{name, {}, {}});
 }
 
+Trace::Values& Recorder::values_named(const char* name) {
+  for (Trace::Values& values : trace_->values) {
+    if (values.name == name) return values;
+  }
+  return trace_->values.emplace_back(Trace::Values{name, {}});
+}
+
 void Recorder::add(Trace::Points& layer, Vec3 p_level, int group) {
   layer.points.push_back(frame_.to_sensor(p_level));
   layer.group.push_back(group);
 }
 
-void Recorder::layers(const std::vector<LowRing>& low, const std::vector<Layer>& layers,
-                      const std::vector<GradientPoints>& points, const std::vector<LayerClusters>& clusters) {
+void Recorder::low(const std::vector<LowRing>& rings) {
   if (trace_ == nullptr) return;
   Trace::Points& gate = points_named("low");
-  for (const LowRing& ring : low) {
+  for (const LowRing& ring : rings) {
     for (const Vec3 p : ring.points) add(gate, p, static_cast<int>(ring.ring));
   }
+}
+
+void Recorder::scan_line(const Layer& layer, const GradientPoints& points, const LayerClusters& clusters) {
+  if (trace_ == nullptr) return;
   Trace::Points& gradient = points_named("gradient points");
-  Trace::Values k{"K", {}};
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    for (const std::size_t index : points[i].index) {
-      add(gradient, layers[i].points[index], static_cast<int>(layers[i].region));
-    }
-    k.values.push_back(static_cast<double>(clusters[i].K));
-  }
-  trace_->values.push_back(std::move(k));
+  for (const std::size_t index : points.index)
+    add(gradient, layer.points[index], static_cast<int>(layer.region));
+  values_named("K").values.push_back(static_cast<double>(clusters.K));
 }
 
 void Recorder::candidates(Quadrant region, const std::vector<Candidate>& candidates) {

@@ -19,14 +19,15 @@ class Recorder {
  public:
   Recorder(Trace* trace, const LevelFrame& frame) : trace_(trace), frame_(frame) {}
 
-  void layers(const std::vector<LowRing>& low, const std::vector<Layer>& layers,
-              const std::vector<GradientPoints>& points, const std::vector<LayerClusters>& clusters);
+  void low(const std::vector<LowRing>& rings);
+  void scan_line(const Layer& layer, const GradientPoints& points, const LayerClusters& clusters);
   void candidates(Quadrant region, const std::vector<Candidate>& candidates);
   void strands(const std::vector<Strand>& strands);
   void fitted(const std::vector<Fitted>& fitted);
 
  private:
   [[nodiscard]] Trace::Points& points_named(const char* name);
+  [[nodiscard]] Trace::Values& values_named(const char* name);
   void add(Trace::Points& layer, Vec3 p_level, int group);
   void spline(const Fitted& fitted);
 

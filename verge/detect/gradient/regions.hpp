@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <vector>
 
+#include "verge/core/vec.hpp"
 #include "verge/detect/gradient/gradient.hpp"
 #include "verge/scan/quadrants.hpp"
 
@@ -17,6 +19,13 @@ using Layer = QuadrantRing;
                                                       const GradientConfig& config) {
   return verge::height_gate(
       scan, frame, {config.height_max_m, config.lateral_max_m, config.forward_max_m, config.range_min_m});
+}
+
+/// Distance of two returns of a scan line across the beams, in the plane: what they are apart in range does
+/// not count.
+[[nodiscard]] inline double across_beams(Vec3 a, Vec3 b) {
+  const double ranges = norm(a.xy()) + norm(b.xy());
+  return ranges > 0.0 ? 2.0 * std::abs(cross(a.xy(), b.xy())) / ranges : 0.0;
 }
 
 }  // namespace verge::detect::gradient

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/detect/gradient/regions.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "verge/core/angle.hpp"
@@ -48,6 +50,12 @@ TEST(Regions, AreOfWhatTheGateOfTheSettingsLeaves) {
   for (const LowRing& ring : low) {
     for (const Vec3 p : ring.points) EXPECT_LT(std::abs(p.x), 9.0);
   }
+}
+
+TEST(AcrossBeams, RangeDoesNotCount) {
+  EXPECT_DOUBLE_EQ(across_beams({3.0, 4.0, 0.0}, {6.0, 8.0, 1.0}), 0.0);
+  EXPECT_NEAR(across_beams({10.0, 0.0, 0.0}, {10.0 * std::cos(0.01), 10.0 * std::sin(0.01), 0.0}), 0.1, 1e-5);
+  EXPECT_EQ(across_beams({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}), 0.0);
 }
 
 }  // namespace
