@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "verge/fit/bspline.hpp"
 #include "verge/fit/bspline_interpolation.hpp"
@@ -34,15 +35,17 @@ Curve straight(const fit::Line& line, std::span<const Vec2> points, double step)
 }
 
 /// The cubic B-spline through the key points.
-std::optional<Curve> through(const std::vector<Vec2>& key_points, fit::Parameterization parameters,
+std::optional<Curve> through(const std::vector<Vec2>& key_points, fit::InterpolationOptions options,
                              double step) {
-  fit::InterpolationOptions options;
-  options.parameterization = parameters;
-  const auto spline = fit::interpolate(key_points, options);
+  auto spline = fit::interpolate(key_points, options);
+  if (!spline && options.knots == fit::KnotPlacement::kUniform) {
+    options.knots = fit::KnotPlacement::kAveraged;
+    spline = fit::interpolate(key_points, options);
+  }
   if (!spline) return std::nullopt;
   Curve curve{Model::kSpline, fit::sample(*spline, step), {}, key_points, {},
               spline->knots,  spline->control_points};
-  curve.u = fit::parameters(key_points, parameters).value_or(std::vector<double>{});
+  curve.u = fit::parameters(key_points, options.parameterization).value_or(std::vector<double>{});
   return curve;
 }
 
@@ -65,23 +68,60 @@ std::vector<std::size_t> with_gaps_filled(const std::vector<std::size_t>& key,
   return filled;
 }
 
-/// Samples of the least-squares spline that smooths a boundary; the points themselves where there is none.
-std::vector<Vec2> smoothed(const std::vector<Vec2>& points, const GradientConfig& config) {
-  constexpr double kSample = 0.25;  // metres
-  constexpr double kSparse = 0.1;   // metres: a lower floor takes the few feet far out for outliers
+/// The least-squares spline near all points.
+std::optional<fit::SplineFit> near_all(const std::vector<Vec2>& points, fit::KnotPlacement knots,
+                                       const GradientConfig& config) {
+  constexpr double kSparse = 0.1;  // metres: a lower floor takes the few feet far out for outliers
   fit::SplineFitOptions options;
   options.span_m = config.spline_span_m;
   options.penalty = config.spline_penalty;
+  options.knots = knots;
   options.robust = fit::RobustOptions{};
   options.robust->scale_floor_m = kSparse;
-  const auto smooth = fit::fit_spline(points, options);
-  return smooth ? fit::sample(smooth->curve, kSample) : points;
+  return fit::fit_spline(points, options);
 }
 
 /// III-2 on a smoothed boundary.
 std::vector<Vec2> key_points_of(const std::vector<Vec2>& samples, const GradientConfig& config) {
   const std::vector<std::size_t> key = fit::smoothed_key_points(samples, config.key_window_m);
   return without_duplicates(fit::gather(samples, with_gaps_filled(key, samples, config.spline_span_m)));
+}
+
+/// n ln(RSS / n) + k ln n. Feet are no better known than kScaleFloor: below it no curve is better.
+double bic(const fit::Residuals& residuals, std::size_t parameters) {
+  const auto n = static_cast<double>(residuals.signed_m.size());
+  const double deviation = std::max(residuals.rms_m, kScaleFloor);
+  return 2.0 * n * std::log(deviation) + static_cast<double>(parameters) * std::log(n);
+}
+
+/// P3's "adaptive selection". Of a B-spline's coordinates those across it count, one a control point.
+bool is_straight(const fit::LineFit& line, const std::vector<Vec2>& points, const GradientConfig& config) {
+  if (config.straight_by == StraightRule::kResidual) return line.residuals.p95_m <= config.line_residual_m;
+  const auto spline = near_all(points, config.knots, config);
+  return !spline || bic(line.residuals, 2) <= bic(spline->residuals, spline->curve.control_points.size());
+}
+
+/// III-2 to III-5: key points on the curve that smooths the boundary, and the B-spline through them.
+std::optional<Curve> through_key_points(const std::vector<Vec2>& points, const GradientConfig& config) {
+  constexpr double kSample = 0.25;  // metres
+  const auto smooth = near_all(points, fit::KnotPlacement::kUniform, config);
+  const std::vector<Vec2> samples = smooth ? fit::sample(smooth->curve, kSample) : points;
+  fit::InterpolationOptions options;
+  options.knots = config.knots;
+  auto curve = through(key_points_of(samples, config), options, config.sample_step_m);
+  if (curve) curve->kappa = fit::smoothed_curvature(samples, config.key_window_m);
+  return curve;
+}
+
+/// Ours: few control points near all points.
+std::optional<Curve> least_squares_curve(const std::vector<Vec2>& points, const GradientConfig& config) {
+  const auto fitted = near_all(points, config.knots, config);
+  if (!fitted) return std::nullopt;
+  const fit::BSpline& spline = fitted->curve;
+  Curve curve{Model::kSpline,       fit::sample(spline, config.sample_step_m), {}, {}, {}, spline.knots,
+              spline.control_points};
+  curve.kappa = fit::smoothed_curvature(curve.points, config.key_window_m);
+  return curve;
 }
 
 }  // namespace
@@ -91,14 +131,11 @@ std::optional<Curve> fit_curve(std::span<const Vec2> points, const GradientConfi
   robust.scale_floor_m = kScaleFloor;
   const auto line = fit::fit_line_robust(points, robust);
   if (!line) return std::nullopt;
-  if (line->residuals.p95_m <= config.line_residual_m)
-    return straight(line->line, points, config.sample_step_m);
-  const std::vector<Vec2> samples = smoothed(without_duplicates(points), config);
-  auto curve =
-      through(key_points_of(samples, config), fit::Parameterization::kCentripetal, config.sample_step_m);
-  if (!curve) return straight(line->line, points, config.sample_step_m);
-  curve->kappa = fit::smoothed_curvature(samples, config.key_window_m);
-  return curve;
+  const std::vector<Vec2> distinct = without_duplicates(points);
+  if (is_straight(*line, distinct, config)) return straight(line->line, points, config.sample_step_m);
+  auto curve = config.spline == SplineKind::kKeyPoints ? through_key_points(distinct, config)
+                                                       : least_squares_curve(distinct, config);
+  return curve ? std::move(curve) : straight(line->line, points, config.sample_step_m);
 }
 
 std::optional<Curve> fit_curve_as_printed(std::span<const Vec2> points, const GradientConfig& config) {
@@ -110,7 +147,9 @@ std::optional<Curve> fit_curve_as_printed(std::span<const Vec2> points, const Gr
     return straight(line->line, ordered, config.sample_step_m);
   const std::vector<double> kappa = fit::curvature(ordered);
   const std::vector<Vec2> key_points = fit::gather(ordered, fit::key_points(kappa));
-  auto curve = through(key_points, fit::Parameterization::kChordLength, config.sample_step_m);
+  fit::InterpolationOptions options;
+  options.parameterization = fit::Parameterization::kChordLength;
+  auto curve = through(key_points, options, config.sample_step_m);
   if (curve) curve->kappa = kappa;
   return curve;
 }

@@ -118,6 +118,59 @@ TEST(FitCurve, AsPrintedInterpolatesTheNoise) {
             1.5 * rms_to_road(*fixed));  // why the fixed reading smooths first (A2.2-6)
 }
 
+TEST(FitCurve, ByBicAGentleBendIsNoLineWhereTheFeetAreGood) {
+  // 0.27 m off a line at most, many feet as good as 1 cm.
+  GradientConfig by_bic;
+  by_bic.straight_by = StraightRule::kBic;
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  std::vector<Vec2> points;
+  for (double x = -20.0; x <= 20.0; x += 0.25) points.push_back({x, x * x / 1000.0 + noise(random)});
+  GradientConfig by_residual;
+  by_residual.line_residual_m = 0.3;
+  EXPECT_EQ(fit_curve(points, by_residual)->model, Model::kLine);
+  EXPECT_EQ(fit_curve(points, by_bic)->model, Model::kSpline);
+}
+
+TEST(FitCurve, ByBicNoiseIsNoBend) {
+  GradientConfig config;
+  config.straight_by = StraightRule::kBic;
+  int splines = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, 0.05);
+    auto points = line_points();
+    for (Vec2& p : points) p.y += noise(random);
+    if (fit_curve(points, config)->model == Model::kSpline) ++splines;
+  }
+  EXPECT_LE(splines, 1);
+}
+
+TEST(FitCurve, ByLeastSquaresIsNearTheTruthAndHasNoKeyPoints) {
+  for (const fit::KnotPlacement knots : {fit::KnotPlacement::kAveraged, fit::KnotPlacement::kUniform}) {
+    GradientConfig config;
+    config.spline = SplineKind::kLeastSquares;
+    config.knots = knots;
+    const auto curve = fit_curve(bend_points(0.03), config);
+    ASSERT_TRUE(curve.has_value());
+    EXPECT_EQ(curve->model, Model::kSpline);
+    EXPECT_LT(rms_to_road(*curve), 0.02);
+    EXPECT_TRUE(curve->key_points.empty());
+    EXPECT_EQ(curve->U.size(), curve->control_points.size() + 4);
+    EXPECT_EQ(curve->kappa.size(), curve->points.size());
+  }
+}
+
+TEST(FitCurve, UniformKnotsAreEvenWhereTheyDetermineACurve) {
+  GradientConfig config;
+  config.knots = fit::KnotPlacement::kUniform;
+  const auto curve = fit_curve(bend_points(0.0), config);
+  ASSERT_TRUE(curve.has_value());
+  EXPECT_LT(rms_to_road(*curve), 0.02);
+  for (std::size_t j = 4; j + 4 < curve->U.size(); ++j)
+    EXPECT_NEAR(curve->U[j + 1] - curve->U[j], curve->U[4], 1e-12);
+}
+
 TEST(FitCurve, TooFewPointsGiveNone) {
   EXPECT_FALSE(fit_curve({}, {}).has_value());
   EXPECT_FALSE(fit_curve(std::vector<Vec2>{{1.0, 1.0}, {1.0, 1.0}}, {}).has_value());

@@ -9,6 +9,7 @@
 #include "verge/core/fields.hpp"
 #include "verge/detect/detector.hpp"
 #include "verge/detect/reading.hpp"
+#include "verge/fit/knots.hpp"
 
 namespace verge::detect {
 
@@ -19,12 +20,33 @@ enum class Clustering : std::uint8_t {
             ///< ones.
 };
 
+/// By what a boundary is held to be straight.
+enum class StraightRule : std::uint8_t {
+  kResidual,  ///< The 95th percentile of the distances from the straight line.
+  kBic,       ///< Bayesian information criterion: does the B-spline pay for its control points?
+};
+
+/// How a boundary that is not straight becomes a B-spline.
+enum class SplineKind : std::uint8_t {
+  kKeyPoints,     ///< Through key points, as the paper does.
+  kLeastSquares,  ///< Near all points, with few control points.
+};
+
 }  // namespace verge::detect
 
 namespace verge {
 template <>
 inline constexpr std::array enum_names<detect::Clustering> =
     std::to_array<std::string_view>({"runs", "kmeans"});
+template <>
+inline constexpr std::array enum_names<detect::StraightRule> =
+    std::to_array<std::string_view>({"residual", "bic"});
+template <>
+inline constexpr std::array enum_names<detect::SplineKind> =
+    std::to_array<std::string_view>({"key_points", "least_squares"});
+template <>
+inline constexpr std::array enum_names<fit::KnotPlacement> =
+    std::to_array<std::string_view>({"averaged", "uniform"});
 }  // namespace verge
 
 namespace verge::detect {
@@ -64,7 +86,10 @@ struct GradientConfig {
   double wall_length_m = 5.0;
 
   // III: line or B-spline
+  StraightRule straight_by = StraightRule::kResidual;
   double line_residual_m = 0.15;
+  SplineKind spline = SplineKind::kKeyPoints;
+  fit::KnotPlacement knots = fit::KnotPlacement::kAveraged;
   double spline_span_m = 3.0;
   double spline_penalty = 0.1;
   double key_window_m = 1.0;
@@ -126,10 +151,21 @@ struct GradientConfig {
           {"obstacle_m", "m", 0.3, 10.0, "returns this high right above a rise make it an obstacle", "ours"});
     visit(self.wall_length_m, {"wall_length_m", "m", 0.0, 100.0,
                                "obstacles in line over this length are a wall and bound the road", "ours"});
+    visit(self.straight_by,
+          {"straight_by", "", 0, 0,
+           "residual, or bic: what a B-spline gains must be worth its control points (reading = fixed)",
+           "P3 III, adaptive selection; rules ours"});
     visit(self.line_residual_m,
           {"line_residual_m", "m", 0.01, 2.0,
-           "straight if the 95th percentile of the residuals is not above this, else a B-spline",
+           "straight if the 95th percentile of the residuals is not above this, else a B-spline "
+           "(straight_by = residual)",
            "P3 III; value ours"});
+    visit(self.spline,
+          {"spline", "", 0, 0, "key_points: through them; least_squares: near all points (reading = fixed)",
+           "P3 III-2 to III-5; ours"});
+    visit(self.knots, {"knots", "", 0, 0,
+                       "averaged, or uniform (non-periodic); averaged where uniform ones determine no curve",
+                       "P3 III-4, Eq. (5); its title"});
     visit(self.spline_span_m,
           {"spline_span_m", "m", 0.5, 50.0,
            "knot spacing of the smoothing curve from which key points are taken", "ours"});
