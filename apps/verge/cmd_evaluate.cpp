@@ -34,6 +34,9 @@ constexpr const char* kExamples =
     "  verge evaluate predictions --ground --labels sequences/00   # and the label files of any program\n"
     "  verge evaluate --suite degradation -o degradation          # drives, table and "
     "degradation/report.html\n"
+    "  verge evaluate --suite paper3 --write-scans frames         # what another program is to find, and "
+    "then\n"
+    "  verge evaluate --suite paper3 --predictions other.jsonl    # how well it did beside the methods\n"
     "  verge evaluate --suite paper3 --drives 2 --scans 5 --method gradient --method "
     "gradient:reading=paper\n";
 
@@ -134,6 +137,11 @@ void add_suite(CLI::App& verb, EvaluateRequest& request) {
       ->check(CLI::Range(1, 1'000'000));
   add("--data", request.data,
       "of suites real and paper2-real: where the labelled sets lie (default: $VERGE_DATA)")
+      ->type_name("FOLDER");
+  add("--write-scans", request.write_scans,
+      "of a suite of made drives: write its scans (PCD) and their truth for another program to be run on, "
+      "whose "
+      "--predictions the suite then judges; nothing else is done")
       ->type_name("FOLDER");
   add("-j,--jobs", request.jobs, "of a suite: parts worked on at once; 0: as many as the machine can")
       ->type_name("N")

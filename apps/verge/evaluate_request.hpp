@@ -25,8 +25,9 @@ struct EvaluateRequest {
   std::vector<std::string> methods;  ///< Empty: all that there are.
   std::optional<std::size_t> drives;
   std::optional<std::size_t> scans;
-  std::optional<std::filesystem::path> data;  ///< Where the labelled sets lie; none: $VERGE_DATA.
-  std::size_t jobs = 0;                       ///< 0: as many as the machine can.
+  std::optional<std::filesystem::path> data;         ///< Where the labelled sets lie; none: $VERGE_DATA.
+  std::optional<std::filesystem::path> write_scans;  ///< Its scans are written there, and nothing is judged.
+  std::size_t jobs = 0;                              ///< 0: as many as the machine can.
   bool no_times = false;
   std::optional<double> range_m;    ///< None: 20 m for boundaries, no limit for ground.
   std::vector<double> tolerance_m;  ///< Empty: those of the protocol.

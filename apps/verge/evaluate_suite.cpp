@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/verge/evaluate_suite.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -16,9 +17,12 @@
 #include "apps/verge/progress.hpp"
 #include "apps/verge/scene_file.hpp"
 #include "apps/verge/signals.hpp"
+#include "apps/verge/suite_scans.hpp"
 #include "verge/core/atomic_file.hpp"
 #include "verge/core/hash.hpp"
 #include "verge/study/engine.hpp"
+#include "verge/study/figures.hpp"
+#include "verge/study/parts.hpp"
 #include "verge/study/report.hpp"
 
 namespace verge::app {
@@ -49,19 +53,33 @@ Expected<study::Contestant> program_of(const std::string& file) {
   return study::contestant_of(escape_control_bytes(name), std::move(predictions));
 }
 
-/// The methods that were asked for, or all that say what is judged; then the predictions.
+/// Whether a made-up scan of the suite is among the predictions.
+bool knows_scan_of(const study::Predictions& predictions, const study::Suite& suite) {
+  return std::ranges::any_of(study::frames_of(suite),
+                             [&](const std::string& frame) { return predictions.contains(frame); });
+}
+
+/// The methods that were asked for, or all that say what is judged; then the predictions. Fails also where
+/// these are of none of the suite's drives: every figure would be nought.
 Expected<std::vector<study::Contestant>> contestants_of(const EvaluateRequest& request,
-                                                        const study::Judged& judged) {
+                                                        const study::Suite& suite) {
   std::vector<study::Contestant> contestants;
   try {
     for (const std::string& method : request.methods) contestants.push_back(study::contestant_of(method));
   } catch (const std::invalid_argument& error) {
     return Unexpected(usage_error(fmt::format("--method: {}", error.what())));
   }
-  if (request.methods.empty()) contestants = study::usual_contestants(judged);
+  if (request.methods.empty()) contestants = study::usual_contestants(suite.judged);
   if (request.predictions.empty()) return contestants;
   auto program = program_of(request.predictions);
   if (!program) return Unexpected(std::move(program).error());
+  if (!study::is_labelled(suite.cells.front()) && !knows_scan_of(*program->predictions, suite))
+    return Unexpected(Error{ErrorCode::kUnusable,
+                            request.predictions,
+                            {},
+                            "none of its frames is a scan of this suite (see --write-scans)",
+                            {},
+                            {}});
   contestants.push_back(*std::move(program));
   return contestants;
 }
@@ -81,10 +99,9 @@ study::RunOptions options_of(const EvaluateRequest& request) {
   return options;
 }
 
-Expected<study::Results> run_suite(const EvaluateRequest& request, Console& console, const Signals& signals) {
-  auto suite = suite_of(request);
-  if (!suite) return Unexpected(std::move(suite).error());
-  auto contestants = contestants_of(request, suite->judged);
+Expected<study::Results> run_suite(study::Suite suite, const EvaluateRequest& request, Console& console,
+                                   const Signals& signals) {
+  auto contestants = contestants_of(request, suite);
   if (!contestants) return Unexpected(std::move(contestants).error());
   const auto begin = std::chrono::steady_clock::now();
   const study::RunHooks hooks{.progress =
@@ -94,7 +111,7 @@ Expected<study::Results> run_suite(const EvaluateRequest& request, Console& cons
                                     console.progress(progress_line(done, total, taken.count()));
                                   },
                               .warning = [&](const std::string& text) { console.warning(text); }};
-  return study::run(*std::move(suite), *std::move(contestants), options_of(request), hooks, signals.stop());
+  return study::run(std::move(suite), *std::move(contestants), options_of(request), hooks, signals.stop());
 }
 
 ExitCode stopped(const EvaluateRequest& request, const study::Results& results, Console& console,
@@ -141,7 +158,14 @@ ExitCode evaluate_suite(const EvaluateRequest& request, Console& console) {
     console.error(error);
     return exit_code_of(error.code);
   };
-  const auto results = run_suite(request, console, signals);
+  auto suite = suite_of(request);
+  if (!suite) return fail(suite.error());
+  if (request.write_scans) {
+    const auto written = write_suite_scans(*suite, *request.write_scans, console, signals);
+    if (!written) return fail(written.error());
+    return signals.stop() ? signals.exit_code() : ExitCode::kOk;
+  }
+  const auto results = run_suite(*std::move(suite), request, console, signals);
   if (!results) return fail(results.error());
   if (results->parts_done < results->parts) return stopped(request, *results, console, signals);
   const bool times = !request.no_times;

@@ -101,6 +101,31 @@ class Report(CliTest):
 
 
 class Suite(CliTest):
+    def test_any_program_is_judged_on_made_drives_by_the_scans_that_are_written(self):
+        frames, found = self.folder / "frames", self.folder / "found.jsonl"
+        small = ("evaluate", "--suite", "paper3", "--drives", "1", "--scans", "1")
+        self.check_ok(run(*small, "--write-scans", frames))
+        self.assertEqual(
+            sorted(scan.name for scan in (frames / "scans").iterdir()),
+            ["670-frames-1-000000.pcd", "corner-1-000000.pcd", "straight-1-000000.pcd"],
+        )
+        self.check_ok(run("detect", frames / "scans", "-o", found))
+        table = self.folder / "table.csv"
+        result = run(*small, "--method", "gradient", "--predictions", found, "--csv", table, "--no-times")
+        self.check_ok(result)
+        rows = {(row["cell"], row["method"]): row for row in csv.DictReader(table.read_text().splitlines())}
+        for cell in ("670 frames", "straight", "corner"):
+            program, method = rows[cell, "found.jsonl"], rows[cell, "gradient"]
+            self.assertAlmostEqual(float(program["f1"]), float(method["f1"]), delta=0.02)
+            self.assertEqual(program["success"], method["success"])
+
+    def test_predictions_of_other_scans_are_refused(self):
+        other = self.folder / "other.jsonl"
+        other.write_text('{"frame": "000000", "boundaries": []}\n')
+        result = run("evaluate", "--suite", "paper3", "--drives", "1", "--scans", "1", "--method", "gradient",
+                     "--predictions", other)  # fmt: skip
+        self.check_refused(result, 4, "none of its frames is a scan of this suite")
+
     def test_ctrl_c_keeps_what_is_done(self):
         out = self.folder / "out"
         many = ("evaluate", "--suite", "paper3", "--drives", "200", "--scans", "1", "--method", "gradient")
@@ -142,7 +167,8 @@ class Suite(CliTest):
                                 (("--suite", "paper3", "--method", "gradeint"), "did you mean 'gradient'?"),
                                 (("--suite", "paper3", "--method", "gradient:reading=old"), "reading"),
                                 (("--suite", "paper3", "--truth", found), "--truth"),
-                                (("--suite", "paper3", "--predictions", found), "labelled sets alone"),
+                                (("--suite", "real", "--data", self.folder, "--write-scans", self.folder / "f"),
+                                 "--write-scans"),
                                 (("--drives", "2", found, "--truth", found), "--suite")):
             with self.subTest(arguments=arguments):
                 self.check_refused(run("evaluate", *arguments), 2, what)

@@ -25,14 +25,13 @@ constexpr std::uint64_t kLast = 1008;
 /// What a method came to in that cell of the suite.
 Figures figures_in(std::size_t cell, const std::string& method) {
   static const Suite suite = suite_named("paper2", {});
-  const auto& drives = std::get<MadeDrives>(suite.cells[cell].scans);
   const Contestant contestant = contestant_of(method);
   const std::vector<const Contestant*> contestants{&contestant};
   const std::atomic<bool> stop{false};
   const PartHooks hooks{stop, [] {}, [](const std::string& text) { ADD_FAILURE() << text; }};
   Tally sum;
   for (std::uint64_t drive = kFirst; drive <= kLast; ++drive)
-    sum += judge_drive(suite, drives, drive, contestants, hooks)->front();
+    sum += judge_drive(suite, suite.cells[cell], drive, contestants, hooks)->front();
   return figures_of(suite, contestant, sum);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cctype>
 #include <chrono>
 #include <memory>
 #include <utility>
@@ -34,18 +35,32 @@ Scene corners_of(const Scene& scene) {
   return corners;
 }
 
+/// Puts what the predictions say of it into the frame; false where they do not have it.
+bool look_up(pipeline::Frame& frame, const Contestant& contestant) {
+  const auto found = contestant.predictions->find(frame.scan.frame);
+  if (found == contestant.predictions->end()) return false;
+  frame.scene = found->second;
+  return true;
+}
+
 /// One contestant on its way along a drive.
 class Driver {
  public:
   Driver(const Suite& suite, const Contestant& contestant)
-      : suite_(suite), contestant_(contestant), detector_(detector_of(contestant)) {}
+      : suite_(suite),
+        contestant_(contestant),
+        detector_(contestant.predictions ? nullptr : detector_of(contestant)) {}
 
   /// The prepared scan, how long preparing took, and its place on the drive.
   void see(pipeline::Frame frame, double prepare_s, const Scene& truth, std::uint64_t drive,
            std::uint64_t index) {
-    const double detect_s =
-        seconds_of([&] { pipeline::detect_on(frame, *detector_, options_of(contestant_)); });
-    tally_.seconds.add(prepare_s + detect_s);
+    if (detector_) {
+      const double detect_s =
+          seconds_of([&] { pipeline::detect_on(frame, *detector_, options_of(contestant_)); });
+      tally_.seconds.add(prepare_s + detect_s);
+    } else if (!look_up(frame, contestant_)) {
+      ++tally_.absent;
+    }
     if (suite_.judged.corners) remember_corners(frame);
     if (!suite_.judged.boundaries && !suite_.judged.objects) {
       ++tally_.scans;
@@ -90,20 +105,31 @@ std::uint64_t index_of(const MadeDrives& drives, std::size_t i) {
   return drives.first_scan + i * drives.step;
 }
 
+/// A scan of a drive under the name that predictions know, prepared, and its truth.
+Seen see_scan(const Cell& cell, const sim::Drive& world, std::uint64_t drive, std::uint64_t index) {
+  sim::Simulated simulated = simulated_of(std::get<MadeDrives>(cell.scans), world, drive, index);
+  Seen seen{{}, std::move(simulated.truth)};
+  seen.frame.scan = std::move(simulated.scan);
+  seen.frame.scan.frame = frame_of(cell, drive, index);
+  return seen;
+}
+
 /// Independent detectors need to see that scan alone, others all before it.
-Seen see_drive_again(const MadeDrives& drives, const ScanScore& wanted, const Contestant& contestant) {
+Seen see_drive_again(const Cell& cell, const ScanScore& wanted, const Contestant& contestant) {
+  const auto& drives = std::get<MadeDrives>(cell.scans);
   const sim::Drive world(drives.make(wanted.drive));
-  const auto detector = detector_of(contestant);
-  const bool alone = detector->order() == detect::Order::kIndependent;
+  const auto detector = contestant.predictions ? nullptr : detector_of(contestant);
+  const bool alone = !detector || detector->order() == detect::Order::kIndependent;
   Seen seen;
   for (std::uint64_t index = alone ? wanted.scan : drives.first_scan; index <= wanted.scan;
        index += drives.step) {
-    sim::Simulated simulated = simulated_of(drives, world, wanted.drive, index);
-    seen.frame = {};
-    seen.frame.scan = std::move(simulated.scan);
+    seen = see_scan(cell, world, wanted.drive, index);
     pipeline::prepare(seen.frame, {});
-    pipeline::detect_on(seen.frame, *detector, options_of(contestant));
-    seen.truth = std::move(simulated.truth);
+    if (detector) {
+      pipeline::detect_on(seen.frame, *detector, options_of(contestant));
+    } else {
+      look_up(seen.frame, contestant);
+    }
   }
   return seen;
 }
@@ -119,22 +145,40 @@ sim::Simulated simulated_of(const MadeDrives& drives, const sim::Drive& world, s
   return simulated;
 }
 
-std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const MadeDrives& drives,
-                                              std::uint64_t drive,
+std::string frame_of(const Cell& cell, std::uint64_t drive, std::uint64_t index) {
+  std::string name;
+  for (const char c : cell.name) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
+  return fmt::format("{}-{}-{:06}", name, drive, index);
+}
+
+std::vector<std::string> frames_of(const Suite& suite) {
+  std::vector<std::string> frames;
+  for (const Cell& cell : suite.cells) {
+    const auto* drives = std::get_if<MadeDrives>(&cell.scans);
+    if (drives == nullptr) continue;
+    for (std::uint64_t drive = 1; drive <= drives->drives; ++drive) {
+      for (std::size_t i = 0; i < drives->scans; ++i)
+        frames.push_back(frame_of(cell, drive, index_of(*drives, i)));
+    }
+  }
+  return frames;
+}
+
+std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const Cell& cell, std::uint64_t drive,
                                               std::span<const Contestant* const> contestants,
                                               const PartHooks& hooks) {
+  const auto& drives = std::get<MadeDrives>(cell.scans);
   const sim::Drive world(drives.make(drive));
   std::vector<Driver> drivers;
   for (const Contestant* contestant : contestants) drivers.emplace_back(suite, *contestant);
   std::vector<Scene> truths;
   for (std::size_t i = 0; i < drives.scans; ++i) {
     if (hooks.stop.load()) return std::nullopt;
-    sim::Simulated simulated = simulated_of(drives, world, drive, index_of(drives, i));
-    pipeline::Frame frame;
-    frame.scan = std::move(simulated.scan);
-    const double prepare_s = seconds_of([&] { pipeline::prepare(frame, {}); });
-    for (Driver& driver : drivers) driver.see(frame, prepare_s, simulated.truth, drive, index_of(drives, i));
-    if (suite.judged.corners) truths.push_back(corners_of(simulated.truth));
+    const std::uint64_t index = index_of(drives, i);
+    Seen seen = see_scan(cell, world, drive, index);
+    const double prepare_s = seconds_of([&] { pipeline::prepare(seen.frame, {}); });
+    for (Driver& driver : drivers) driver.see(seen.frame, prepare_s, seen.truth, drive, index);
+    if (suite.judged.corners) truths.push_back(corners_of(seen.truth));
     hooks.scan_done();
   }
   std::vector<Tally> tallies;
@@ -145,7 +189,7 @@ std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const MadeDriv
 Expected<Seen> see_again(const Cell& cell, const ScanScore& scan, const Contestant& contestant) {
   if (const auto* set = std::get_if<LabelledScans>(&cell.scans))
     return see_labelled_again(*set, scan, contestant);
-  return see_drive_again(std::get<MadeDrives>(cell.scans), scan, contestant);
+  return see_drive_again(cell, scan, contestant);
 }
 
 }  // namespace verge::study

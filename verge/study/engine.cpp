@@ -91,17 +91,13 @@ Expected<std::vector<Job>> jobs_of(const Suite& suite, const std::string& salt) 
   return jobs;
 }
 
-std::optional<Error> misuse_in(const Suite& suite, std::span<const Contestant> contestants) {
+std::optional<Error> misuse_in(const Suite& suite) {
   const auto error = [](std::string what) {
     return Error{ErrorCode::kUsage, {}, {}, std::move(what), {}, {}};
   };
   const auto labelled = std::ranges::count_if(suite.cells, is_labelled);
   if (labelled != 0 && labelled != std::ssize(suite.cells))
     return error("a suite is of drives or of labelled sets, not of both");
-  const bool has_predictions =
-      std::ranges::any_of(contestants, [](const Contestant& one) { return one.predictions != nullptr; });
-  if (labelled == 0 && has_predictions)
-    return error("predictions can be judged on labelled sets alone: a suite's drives are made up as it runs");
   return std::nullopt;
 }
 
@@ -179,18 +175,18 @@ class Run {
     if (job.contestants.empty()) return;
     const PartHooks hooks{stop_, [this] { count_scan(); }, [this](const std::string& text) { warn(text); }};
     const Cell& cell = results_.suite.cells[job.cell];
-    if (const auto* drives = std::get_if<MadeDrives>(&cell.scans)) {
-      work_on_drive(index, *drives, hooks);
+    if (const auto* set = std::get_if<LabelledScans>(&cell.scans)) {
+      work_on_set(index, *set, hooks);
     } else {
-      work_on_set(index, std::get<LabelledScans>(cell.scans), hooks);
+      work_on_drive(index, cell, hooks);
     }
   }
 
-  void work_on_drive(std::size_t index, const MadeDrives& drives, const PartHooks& hooks) {
+  void work_on_drive(std::size_t index, const Cell& cell, const PartHooks& hooks) {
     const Job& job = jobs_[index];
     std::vector<const Contestant*> contestants;
     for (const std::size_t i : job.contestants) contestants.push_back(&results_.contestants[i]);
-    auto tallies = judge_drive(results_.suite, drives, job.drive, contestants, hooks);
+    auto tallies = judge_drive(results_.suite, cell, job.drive, contestants, hooks);
     if (!tallies) return;
     for (std::size_t i = 0; i < tallies->size(); ++i)
       finish(index, job.contestants[i], std::move((*tallies)[i]));
@@ -266,7 +262,7 @@ std::size_t threads_of(const RunOptions& options) {
 
 Expected<Results> run(Suite suite, std::vector<Contestant> contestants, const RunOptions& options,
                       const RunHooks& hooks, const std::atomic<bool>& stop) {
-  if (auto misuse = misuse_in(suite, contestants)) return Unexpected(*std::move(misuse));
+  if (auto misuse = misuse_in(suite)) return Unexpected(*std::move(misuse));
   auto jobs = jobs_of(suite, options.salt);
   if (!jobs) return Unexpected(std::move(jobs).error());
   PartStore store;

@@ -52,8 +52,8 @@ struct Results {
 /// the same at any number of jobs, kept or not, but for Tally::seconds.
 ///
 /// `stop` ends the run after the scans under way; parts that are not done are given up. Fails as the readers
-/// of labelled sets do, with kCannotWrite where a part cannot be kept, and with kUsage where predictions are
-/// to be judged on made-up drives (they have none of these scans) or a suite mixes both kinds of cells.
+/// of labelled sets do, with kCannotWrite where a part cannot be kept, and with kUsage where a suite mixes
+/// both kinds of cells. Predictions are looked up by frame: of made drives that of frame_of() in parts.hpp.
 [[nodiscard]] Expected<Results> run(Suite suite, std::vector<Contestant> contestants,
                                     const RunOptions& options, const RunHooks& hooks,
                                     const std::atomic<bool>& stop);

@@ -29,9 +29,16 @@ struct PartHooks {
   std::function<void(const std::string&)> warning;
 };
 
-/// One drive past these contestants: a tally each, or none where it was stopped. Throws std::invalid_argument
-/// where the cell makes no drive of that number.
-[[nodiscard]] std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const MadeDrives& drives,
+/// What a scan of a made drive is called: "670-frames-3-000045" is of cell "670 frames", drive 3, scan 45. By
+/// these names predictions are found.
+[[nodiscard]] std::string frame_of(const Cell& cell, std::uint64_t drive, std::uint64_t index);
+
+/// All of a suite's made drives.
+[[nodiscard]] std::vector<std::string> frames_of(const Suite& suite);
+
+/// One drive past these contestants: a tally each, or none where it was stopped. The cell is of made drives.
+/// Throws std::invalid_argument where it makes no drive of that number.
+[[nodiscard]] std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const Cell& cell,
                                                             std::uint64_t drive,
                                                             std::span<const Contestant* const> contestants,
                                                             const PartHooks& hooks);
@@ -48,7 +55,7 @@ struct PartHooks {
                                                             const PartHooks& hooks);
 
 /// Scan `index` of the world of one of these drives: with what is lost of it and what methods are told, and
-/// the truth of which that much is visible.
+/// the truth of which that much is visible. Its frame is its index.
 [[nodiscard]] sim::Simulated simulated_of(const MadeDrives& drives, const sim::Drive& world,
                                           std::uint64_t drive, std::uint64_t index);
 

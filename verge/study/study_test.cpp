@@ -27,6 +27,7 @@
 #include "verge/study/figures.hpp"
 #include "verge/study/markup.hpp"
 #include "verge/study/part_store.hpp"
+#include "verge/study/parts.hpp"
 #include "verge/study/plot.hpp"
 #include "verge/study/report.hpp"
 #include "verge/study/table.hpp"
@@ -284,13 +285,28 @@ TEST_F(Engine, KeepsNoPartThatIsNotDone) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
-TEST_F(Engine, SaysWhatCannotBeKeptOrJudged) {
+TEST_F(Engine, SaysWhatCannotBeKept) {
   write(folder_ / "file", "");
   EXPECT_EQ(run_small(1, folder_ / "file" / "parts").results.error().code, ErrorCode::kCannotWrite);
+}
+
+TEST(Predictions, OfMadeDrivesAreFoundByCellDriveAndScan) {
+  const Suite suite = small_suite();
+  const std::vector<std::string> frames = frames_of(suite);
+  ASSERT_FALSE(frames.empty());
+  EXPECT_EQ(frames.front(), frame_of(suite.cells[0], 1, 0));
+  Predictions predictions;
+  predictions.emplace(frames.front(), Scene{});
   const std::atomic<bool> stop{false};
   const RunHooks hooks{[](std::size_t, std::size_t) {}, [](const std::string&) {}};
-  const auto results = run(small_suite(), {contestant_of("file", Predictions{})}, {}, hooks, stop);
-  EXPECT_EQ(results.error().code, ErrorCode::kUsage);
+  const auto results = run(suite, {contestant_of("file", predictions)}, {}, hooks, stop).value();
+  std::size_t absent = 0;
+  for (const Tally& tally : results.tallies) absent += tally.absent;
+  EXPECT_EQ(absent, frames.size() - 1);
+}
+
+TEST(Predictions, NameScansByLettersThatFilesMayHave) {
+  EXPECT_EQ(frame_of({.name = "3 m, 60 km/h", .scans = {}}, 2, 45), "3-m--60-km-h-2-000045");
 }
 
 TEST(Thin, LosesTheShareThatWasAskedForAndKeepsRings) {
