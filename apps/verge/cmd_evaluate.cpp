@@ -136,7 +136,7 @@ void add_suite(CLI::App& verb, EvaluateRequest& request) {
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000));
   add("--data", request.data,
-      "of suites real and paper2-real: where the labelled sets lie (default: $VERGE_DATA)")
+      "of suites real, paper2-real and paper3-real: where the labelled sets lie (default: $VERGE_DATA)")
       ->type_name("FOLDER");
   add("--write-scans", request.write_scans,
       "of a suite of made drives: write its scans (PCD) and their truth for another program to be run on, "

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "verge/eval/label_success.hpp"
 #include "verge/eval/test_scenes.hpp"
 
 namespace verge::eval {
@@ -167,6 +168,42 @@ RC_GTEST_PROP(LabelScoreLaw, TheOrderOfBoundariesAndOfTruePointsDoesNotMatter, (
     RC_ASSERT(before.at[i].judged == after.at[i].judged);
     RC_ASSERT(before.at[i].right == after.at[i].right);
   }
+}
+
+// --- Success of scans
+// ------------------------------------------------------------------------------------------------
+
+std::optional<Deviation> deviation_of_line(double y, double last_x) {
+  const Scene scene = scene_of({along_x(Side::kLeft, y, 0.0, last_x)});
+  return deviation_of(kerb(), &scene);
+}
+
+TEST(LabelSuccess, NeedsNineTenthsOfTheTruthAndNothingFarOff) {
+  EXPECT_EQ(deviation_of_line(4.1, 9.0), Deviation::kMinimum);
+  EXPECT_EQ(deviation_of_line(4.1, 8.0), Deviation::kMinimum);  // 9 of 10 points
+  EXPECT_EQ(deviation_of_line(4.1, 7.0), Deviation::kFailed);
+  EXPECT_EQ(deviation_of_line(4.4, 9.0), Deviation::kLarger);
+  EXPECT_EQ(deviation_of_line(4.6, 9.0), Deviation::kFailed);
+}
+
+TEST(LabelSuccess, AStrayLineFailsAScanThatFoundAll) {
+  Scene scene = scene_of({along_x(Side::kLeft, 4.1, 0.0, 9.0), along_x(Side::kLeft, 4.7, 0.0, 3.0)});
+  EXPECT_EQ(deviation_of(kerb(), &scene), Deviation::kLarger);
+  scene = scene_of({along_x(Side::kLeft, 4.1, 0.0, 9.0), along_x(Side::kLeft, 6.0, 0.0, 3.0)});
+  EXPECT_EQ(deviation_of(kerb(), &scene), Deviation::kFailed);
+}
+
+TEST(LabelSuccess, OfLabelledPointsAloneWhatIsFoundTooMuchIsNotCounted) {
+  LabelledTruth points = kerb();
+  points.ground.reset();
+  const Scene scene = scene_of({along_x(Side::kLeft, 4.1, 0.0, 9.0), along_x(Side::kLeft, 5.5, 0.0, 3.0)});
+  EXPECT_EQ(deviation_of(points, &scene), Deviation::kMinimum);
+  EXPECT_EQ(deviation_of(kerb(), &scene), Deviation::kFailed);
+}
+
+TEST(LabelSuccess, WithoutAPredictionFailsAndWithoutTruthIsNone) {
+  EXPECT_EQ(deviation_of(kerb(), nullptr), Deviation::kFailed);
+  EXPECT_EQ(deviation_of(LabelledTruth{}, nullptr), std::nullopt);
 }
 
 }  // namespace

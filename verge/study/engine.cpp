@@ -70,7 +70,8 @@ Expected<void> add_set(const Suite& suite, std::size_t cell, const LabelledScans
   auto known = known_scans(set);
   if (!known) return Unexpected(std::move(known).error());
   Job job{.cell = cell, .known = *std::move(known)};
-  job.settings = settings_of(suite, salt) + fmt::format("{} {}\n", set.odd_only, set.boxes);
+  job.settings =
+      settings_of(suite, salt) + fmt::format("{} {} {} {}\n", set.odd_only, set.boxes, set.first, set.last);
   for (const eval::LabelledScan& scan : job.known)
     job.settings += state_of(scan.scan) + state_of(scan.labels);
   job.scans = job.known.size();

@@ -54,9 +54,7 @@ void add_tolerances(const Suite& suite, const Tally& tally, Collector& add) {
   }
 }
 
-void add_success(const Tally& tally, Collector& add) {
-  eval::SuccessCounts all = tally.straight;
-  all += tally.curve;
+void add_success(const eval::SuccessCounts& all, Collector& add) {
   const auto interval = eval::wilson_interval(all.successes(), all.scans());
   add("frames", number(all.scans()));
   add("success", success_of(all));
@@ -65,6 +63,12 @@ void add_success(const Tally& tally, Collector& add) {
   add("minimum", number(all.minimum));
   add("larger", number(all.larger));
   add("failed", number(all.failed));
+}
+
+void add_success_by_shape(const Tally& tally, Collector& add) {
+  eval::SuccessCounts all = tally.straight;
+  all += tally.curve;
+  add_success(all, add);
   add("success_straight", success_of(tally.straight));
   add("success_curve", success_of(tally.curve));
 }
@@ -162,13 +166,14 @@ Figures figures_of(const Suite& suite, const Contestant& contestant, const Tally
   add("damaged", number(tally.damaged));
   if (std::ranges::any_of(suite.cells, is_labelled)) {
     add_labels(suite, tally.labels, add);
+    add_success(tally.labelled, add);
     const bool has_boxes = tally.labels.scans < tally.scans;
     if (suite.judged.objects) add_objects(tally.objects, figures, has_boxes, contestant.says.objects);
     return figures;
   }
   if (suite.judged.boundaries) {
     add_tolerances(suite, tally, add);
-    add_success(tally, add);
+    add_success_by_shape(tally, add);
     add_lines(tally, add);
   }
   if (suite.judged.corners) add_corners(tally.corners, figures, contestant.says.corners);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "verge/eval/label_score.hpp"
+#include "verge/eval/label_success.hpp"
 #include "verge/pipeline/stages.hpp"
 #include "verge/study/box_score.hpp"
 #include "verge/study/labelled_feed.hpp"
@@ -56,12 +57,14 @@ double f1_of(const eval::LabelScore& score) {
 Expected<void> add_scores(const LabelledScans& set, std::span<const eval::LabelledScan> known,
                           const Predictions& predictions, Tally& tally) {
   for (std::size_t i = set.odd_only ? 1 : 0; i < known.size(); i += set.odd_only ? 2 : 1) {
+    if (i < set.first || i > set.last) continue;
     const auto truth = eval::read_labelled_truth(known[i], kLabelGap_m);
     if (!truth) return Unexpected(truth.error());
     const auto found = predictions.find(known[i].frame);
     const Scene* prediction = found == predictions.end() ? nullptr : &found->second;
     const eval::LabelScore score = eval::score(*truth, prediction, {});
     tally.labels += score;
+    if (const auto deviation = eval::deviation_of(*truth, prediction)) tally.labelled.count(*deviation);
     ++tally.scans;
     tally.absent += score.absent;
     if (!known[i].scan.empty()) note_poorest(tally, {f1_of(score), 0, i, known[i].frame});

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,6 +38,8 @@ struct LabelledScans {
   std::filesystem::path folder;
   bool odd_only = false;  ///< Judged are the scans at odd places, counted from 0; all are looked at.
   bool boxes = false;     ///< Judged are objects against boxes (box_score.hpp), not boundaries.
+  std::size_t first = 0;  ///< Judged are the scans from this place ...
+  std::size_t last = std::numeric_limits<std::size_t>::max();  ///< ... to this one.
 };
 
 /// A row of a suite's table: scans of one kind.
@@ -86,7 +89,7 @@ struct SuiteRequest {
   std::optional<std::size_t> drives{};  ///< Of each cell, in the place of the suite's own number.
   std::optional<std::size_t> scans{};   ///< Of each drive, likewise.
   std::filesystem::path
-      data{};  ///< Where the public labelled sets lie; of suites real and paper2-real alone.
+      data{};  ///< Where the public labelled sets lie; of the suites of labelled scans alone.
 };
 
 struct SuiteEntry {

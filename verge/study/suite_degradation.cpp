@@ -72,7 +72,7 @@ Suite degradation_suite(const SuiteRequest& request) {
     add_condition(suite.cells, condition, values, drives, change);
   };
   add("range noise, m", {0.01, 0.02, 0.03, 0.04, 0.05}, set_noise);
-  add("kerb height, m", {0.03, 0.05, 0.08, 0.1, 0.12, 0.15, 0.2}, set_kerb);
+  add("kerb height, m", {0.0, 0.03, 0.05, 0.08, 0.1, 0.12, 0.15, 0.2}, set_kerb);
   add("pitch, degrees", {-2.0, -1.0, 0.0, 1.0, 2.0}, set_pitch);
   add("kerb lined with parked cars, share", {0.0, 0.1, 0.2, 0.3, 0.4}, set_parked);
   add_losses(suite.cells, {0.0, 0.1, 0.2, 0.3}, drives);

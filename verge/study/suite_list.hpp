@@ -16,6 +16,7 @@ namespace verge::study {
 [[nodiscard]] Suite paper2_suite(const SuiteRequest& request);
 [[nodiscard]] Suite paper2_real_suite(const SuiteRequest& request);
 [[nodiscard]] Suite paper3_suite(const SuiteRequest& request);
+[[nodiscard]] Suite paper3_real_suite(const SuiteRequest& request);
 [[nodiscard]] Suite degradation_suite(const SuiteRequest& request);
 [[nodiscard]] Suite corners_suite(const SuiteRequest& request);
 [[nodiscard]] Suite real_suite(const SuiteRequest& request);

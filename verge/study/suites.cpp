@@ -33,6 +33,8 @@ std::span<const SuiteEntry> suites() {
       SuiteEntry{"paper2-real", "the same of public scans: labelled roads, and boxes round objects",
                  paper2_real_suite},
       SuiteEntry{"paper3", "670 frames, and 230 straight and 80 corner ones, HDL-32E", paper3_suite},
+      SuiteEntry{"paper3-real", "its success on labelled real scans, straight roads and junctions",
+                 paper3_real_suite},
       SuiteEntry{"real", "the labelled public sets", real_suite},
       SuiteEntry{"degradation", "what noise, kerb height, pitch, parked cars, lost returns and bends cost",
                  degradation_suite},

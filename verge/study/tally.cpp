@@ -39,6 +39,7 @@ Tally& Tally::operator+=(const Tally& more) {
   objects += more.objects;
   corners += more.corners;
   labels += more.labels;
+  labelled += more.labelled;
   seconds += more.seconds;
   poorest.insert(poorest.end(), more.poorest.begin(), more.poorest.end());
   return *this;

@@ -42,6 +42,7 @@ struct Tally {
   eval::ObjectScore objects;
   eval::CornerScore corners;
   eval::LabelScore labels;
+  eval::SuccessCounts labelled;    ///< Of labelled scans.
   Histogram seconds{1e-5};         ///< Mount and detection of a scan, by the clock.
   std::vector<ScanScore> poorest;  ///< One a part: its scan of the least F1.
 

@@ -53,7 +53,7 @@ static void from_json(const json& in, Histogram& histogram) {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ScanScore, f1, drive, scan, frame)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tally, scans, absent, damaged, cells, by_range, by_confidence, stations,
                                    straight, curve, lateral_m, lateral_by_range_m, heading_rad, objects,
-                                   corners, labels, seconds, poorest)
+                                   corners, labels, labelled, seconds, poorest)
 // NOLINTEND(misc-use-anonymous-namespace)
 
 std::string to_json(const Tally& tally) {
