@@ -22,7 +22,7 @@
 #include "verge/core/hash.hpp"
 #include "verge/study/engine.hpp"
 #include "verge/study/figures.hpp"
-#include "verge/study/parts.hpp"
+#include "verge/study/made_scans.hpp"
 #include "verge/study/report.hpp"
 
 namespace verge::app {

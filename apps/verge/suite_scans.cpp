@@ -14,7 +14,7 @@
 #include "verge/emit/jsonl_writer.hpp"
 #include "verge/io/sink.hpp"
 #include "verge/study/figures.hpp"
-#include "verge/study/parts.hpp"
+#include "verge/study/made_scans.hpp"
 
 namespace verge::app {
 namespace {

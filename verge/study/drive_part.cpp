@@ -1,18 +1,13 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
-#include <cctype>
 #include <chrono>
 #include <memory>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "verge/pipeline/stages.hpp"
-#include "verge/sim/seen_edges.hpp"
 #include "verge/study/figures.hpp"
 #include "verge/study/labelled_part.hpp"
 #include "verge/study/parts.hpp"
-#include "verge/study/thin.hpp"
 
 namespace verge::study {
 namespace {
@@ -101,10 +96,6 @@ class Driver {
   std::vector<std::optional<Vec2>> places_;
 };
 
-std::uint64_t index_of(const MadeDrives& drives, std::size_t i) {
-  return drives.first_scan + i * drives.step;
-}
-
 /// A scan of a drive under the name that predictions know, prepared, and its truth.
 Seen see_scan(const Cell& cell, const sim::Drive& world, std::uint64_t drive, std::uint64_t index) {
   sim::Simulated simulated = simulated_of(std::get<MadeDrives>(cell.scans), world, drive, index);
@@ -136,34 +127,6 @@ Seen see_drive_again(const Cell& cell, const ScanScore& wanted, const Contestant
 
 }  // namespace
 
-sim::Simulated simulated_of(const MadeDrives& drives, const sim::Drive& world, std::uint64_t drive,
-                            std::uint64_t index) {
-  sim::Simulated simulated = world.scan(index);
-  simulated.scan = thin(std::move(simulated.scan), drives.lost, drive, index);
-  simulated.scan.mount = drives.mount;
-  if (drives.seen_edges) sim::tell_seen_edges(simulated.truth.boundaries, deskew(simulated.scan));
-  return simulated;
-}
-
-std::string frame_of(const Cell& cell, std::uint64_t drive, std::uint64_t index) {
-  std::string name;
-  for (const char c : cell.name) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
-  return fmt::format("{}-{}-{:06}", name, drive, index);
-}
-
-std::vector<std::string> frames_of(const Suite& suite) {
-  std::vector<std::string> frames;
-  for (const Cell& cell : suite.cells) {
-    const auto* drives = std::get_if<MadeDrives>(&cell.scans);
-    if (drives == nullptr) continue;
-    for (std::uint64_t drive = 1; drive <= drives->drives; ++drive) {
-      for (std::size_t i = 0; i < drives->scans; ++i)
-        frames.push_back(frame_of(cell, drive, index_of(*drives, i)));
-    }
-  }
-  return frames;
-}
-
 std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const Cell& cell, std::uint64_t drive,
                                               std::span<const Contestant* const> contestants,
                                               const PartHooks& hooks) {
@@ -174,7 +137,7 @@ std::optional<std::vector<Tally>> judge_drive(const Suite& suite, const Cell& ce
   std::vector<Scene> truths;
   for (std::size_t i = 0; i < drives.scans; ++i) {
     if (hooks.stop.load()) return std::nullopt;
-    const std::uint64_t index = index_of(drives, i);
+    const std::uint64_t index = drives.first_scan + i * drives.step;
     Seen seen = see_scan(cell, world, drive, index);
     const double prepare_s = seconds_of([&] { pipeline::prepare(seen.frame, {}); });
     for (Driver& driver : drivers) driver.see(seen.frame, prepare_s, seen.truth, drive, index);

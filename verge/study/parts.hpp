@@ -13,8 +13,8 @@
 #include "verge/eval/labelled_set.hpp"
 #include "verge/model/scene.hpp"
 #include "verge/pipeline/run.hpp"
-#include "verge/sim/drive.hpp"
 #include "verge/study/contestant.hpp"
+#include "verge/study/made_scans.hpp"
 #include "verge/study/suite.hpp"
 #include "verge/study/tally.hpp"
 
@@ -28,13 +28,6 @@ struct PartHooks {
   std::function<void()> scan_done;
   std::function<void(const std::string&)> warning;
 };
-
-/// What a scan of a made drive is called: "670-frames-3-000045" is of cell "670 frames", drive 3, scan 45. By
-/// these names predictions are found.
-[[nodiscard]] std::string frame_of(const Cell& cell, std::uint64_t drive, std::uint64_t index);
-
-/// All of a suite's made drives.
-[[nodiscard]] std::vector<std::string> frames_of(const Suite& suite);
 
 /// One drive past these contestants: a tally each, or none where it was stopped. The cell is of made drives.
 /// Throws std::invalid_argument where it makes no drive of that number.
@@ -53,11 +46,6 @@ struct PartHooks {
                                                             std::span<const eval::LabelledScan> known,
                                                             const Contestant& contestant,
                                                             const PartHooks& hooks);
-
-/// Scan `index` of the world of one of these drives: with what is lost of it and what methods are told, and
-/// the truth of which that much is visible. Its frame is its index.
-[[nodiscard]] sim::Simulated simulated_of(const MadeDrives& drives, const sim::Drive& world,
-                                          std::uint64_t drive, std::uint64_t index);
 
 /// A scan as a method saw it, and its truth as a Scene.
 struct Seen {
