@@ -125,14 +125,17 @@ BasisRow basis_row(std::span<const double> t, std::size_t degree, double u) {
   u = std::clamp(u, d.from, d.to);
   const std::size_t k = span_of(t, degree, u);
   BasisRow row{.first = k - degree};
-  row.values[degree] = 1.0;  // values[j] is N_{first+j}, of order 1 here and one more each turn
-  for (std::size_t m = 2; m <= degree + 1; ++m) {
-    for (std::size_t j = degree + 1 - m; j <= degree; ++j) {
-      const std::size_t i = row.first + j;
-      const double left = ratio(u - t[i], t[i + m - 1] - t[i]) * row.values[j];
-      const double right = j < degree ? ratio(t[i + m] - u, t[i + m] - t[i + 1]) * row.values[j + 1] : 0.0;
-      row.values[j] = left + right;
+  row.values[0] = 1.0;  // of order 1; the order grows by one a turn (Piegl and Tiller, algorithm A2.2)
+  for (std::size_t order = 1; order <= degree; ++order) {
+    double saved = 0.0;
+    for (std::size_t r = 0; r < order; ++r) {
+      const double right = t[k + r + 1] - u;
+      const double left = u - t[k + 1 + r - order];
+      const double share = ratio(row.values[r], right + left);
+      row.values[r] = saved + right * share;
+      saved = left * share;
     }
+    row.values[order] = saved;
   }
   return row;
 }

@@ -10,26 +10,18 @@
 namespace verge {
 namespace {
 
-/// Grows with the direction of (x, y) from -pi to pi, without trigonometry.
-double pseudo_angle(Vec3 p) {
-  const double length = std::abs(p.x) + std::abs(p.y);
-  const double sine = length > 0.0 ? p.y / length : 0.0;
-  if (p.x >= 0.0) return sine;
-  return (p.y >= 0.0 ? 2.0 : -2.0) - sine;
-}
+/// The mean elevation of a ring's returns, each weighing as much as its range. Of all of them: that of a
+/// sample would differ when the scan is mirrored or turned, and what lies at the edge of a threshold with it.
+struct MeanElevation {
+  double height = 0.0;
+  double range = 0.0;
 
-/// Of all returns of a ring: the mean of a sample would differ when the scan is mirrored or turned, and what
-/// lies at the edge of a threshold with it.
-double mean_elevation(const Scan& scan, std::size_t begin, std::size_t end) {
-  double sines = 0.0;
-  std::size_t n = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (!(scan.range[i] > 0.0F)) continue;
-    sines += static_cast<double>(scan.z[i]) / static_cast<double>(scan.range[i]);
-    ++n;
+  void add(float z, float distance) {
+    height += static_cast<double>(z);
+    range += static_cast<double>(distance);
   }
-  return n > 0 ? std::asin(std::clamp(sines / static_cast<double>(n), -1.0, 1.0)) : 0.0;
-}
+  [[nodiscard]] double value_rad() const { return std::asin(std::clamp(height / range, -1.0, 1.0)); }
+};
 
 /// From at most so many returns spread evenly over the ring.
 constexpr std::size_t kSamples = 64;
@@ -45,14 +37,15 @@ double median_spacing(const Scan& scan, std::size_t begin, std::size_t end) {
 
 bool is_low(Vec3 p, const LowGate& gate) {
   return p.z < gate.height_max_m && std::abs(p.y) < gate.lateral_max_m &&
-         std::abs(p.x) < gate.forward_max_m && norm(p.xy()) > gate.range_min_m;
+         std::abs(p.x) < gate.forward_max_m && dot(p.xy(), p.xy()) > gate.range_min_m * gate.range_min_m;
 }
 
-/// Starts the ring at the smallest direction of the level frame: tilt and heading have moved the seam.
+/// Starts the ring behind, where the direction jumps from pi to -pi: tilt and heading have moved that seam.
 void start_at_seam(std::vector<Vec3>& points) {
-  const auto first = std::min_element(points.begin(), points.end(),
-                                      [](Vec3 a, Vec3 b) { return pseudo_angle(a) < pseudo_angle(b); });
-  std::rotate(points.begin(), first, points.end());
+  const auto seam = std::adjacent_find(points.begin(), points.end(), [](Vec3 a, Vec3 b) {
+    return a.y >= 0.0 && b.y < 0.0 && (a.x < 0.0 || b.x < 0.0);
+  });
+  if (seam != points.end()) std::rotate(points.begin(), seam + 1, points.end());
 }
 
 }  // namespace
@@ -62,13 +55,16 @@ std::vector<LowRing> height_gate(const Scan& scan, const LevelFrame& frame, cons
   for (std::size_t r = 0; r < scan.ring_count(); ++r) {
     const auto [begin, end] = scan.ring(r);
     LowRing ring{r, 0.0, 0.0, {}};
+    ring.points.reserve(end - begin);
+    MeanElevation elevation;
     for (std::size_t i = begin; i < end; ++i) {
       if (!(scan.range[i] > 0.0F)) continue;
+      elevation.add(scan.z[i], scan.range[i]);
       const Vec3 p = frame.to_level(scan.point(i));
       if (is_low(p, gate)) ring.points.push_back(p);
     }
     if (ring.points.empty()) continue;
-    ring.elevation_rad = mean_elevation(scan, begin, end);
+    ring.elevation_rad = elevation.value_rad();
     ring.spacing_rad = median_spacing(scan, begin, end);
     start_at_seam(ring.points);
     low.push_back(std::move(ring));

@@ -43,7 +43,7 @@ inline constexpr std::array kQuadrants{Quadrant::kA, Quadrant::kB, Quadrant::kC,
 struct QuadrantRing {
   std::size_t ring = 0;  ///< Of the scan, 0 = lowest.
   Quadrant region = Quadrant::kA;
-  double elevation_rad = 0.0;  ///< Mean elevation of the ring's returns in the sensor's frame.
+  double elevation_rad = 0.0;  ///< Mean of the ring's returns in the sensor's frame, by range.
   double spacing_rad = 0.0;    ///< Median angle between neighbouring returns of the ring.
   std::vector<Vec3> points;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace verge::detect::gradient {
 namespace {
@@ -18,22 +19,26 @@ constexpr double kLeastBefore_m = 0.3;  // shorter lines say nothing of a slope
 /// Sums over prefixes of a layer, so that a line fit over any stretch of it is O(1).
 struct Prefix {
   struct Sums {
-    double n = 0.0, s = 0.0, z = 0.0, ss = 0.0, sz = 0.0, zz = 0.0;
+    double s = 0.0, z = 0.0, ss = 0.0, sz = 0.0, zz = 0.0;
   };
   std::vector<Sums> sums;
 
   Prefix(const std::vector<double>& arc, const std::vector<Vec3>& points) : sums(points.size() + 1) {
+    Sums sum;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double s = arc[i];
       const double z = points[i].z;
-      const Sums& b = sums[i];
-      sums[i + 1] = {b.n + 1.0, b.s + s, b.z + z, b.ss + s * s, b.sz + s * z, b.zz + z * z};
+      sum = {sum.s + s, sum.z + z, sum.ss + s * s, sum.sz + s * z, sum.zz + z * z};
+      sums[i + 1] = sum;
     }
   }
   [[nodiscard]] Sums over(std::size_t begin, std::size_t end) const {
     const Sums& a = sums[begin];
     const Sums& b = sums[end];
-    return {b.n - a.n, b.s - a.s, b.z - a.z, b.ss - a.ss, b.sz - a.sz, b.zz - a.zz};
+    return {b.s - a.s, b.z - a.z, b.ss - a.ss, b.sz - a.sz, b.zz - a.zz};
+  }
+  [[nodiscard]] double height(std::size_t begin, std::size_t end) const {
+    return sums[end].z - sums[begin].z;
   }
 };
 
@@ -41,14 +46,12 @@ struct Prefix {
 struct RoadSlope {
   double arc_mean, height_mean, arc_spread, slope = 0.0, variance = 0.0;
 
-  explicit RoadSlope(const Prefix::Sums& a)
-      : arc_mean(a.s / a.n),
-        height_mean(a.z / a.n),
-        arc_spread(std::max(a.ss - a.n * arc_mean * arc_mean, 0.0)) {
-    const double cov = a.sz - a.n * arc_mean * height_mean;
-    const double var = a.zz - a.n * height_mean * height_mean;
+  RoadSlope(const Prefix::Sums& a, double n)
+      : arc_mean(a.s / n), height_mean(a.z / n), arc_spread(std::max(a.ss - n * arc_mean * arc_mean, 0.0)) {
+    const double cov = a.sz - n * arc_mean * height_mean;
+    const double var = a.zz - n * height_mean * height_mean;
     slope = arc_spread > 0.0 ? std::clamp(cov / arc_spread, -kSlopeMax, kSlopeMax) : 0.0;
-    variance = std::max(var - 2.0 * slope * cov + slope * slope * arc_spread, 0.0) / (a.n - 2.0);
+    variance = std::max(var - 2.0 * slope * cov + slope * slope * arc_spread, 0.0) / (n - 2.0);
   }
   [[nodiscard]] double height_at(double arc) const { return height_mean + slope * (arc - arc_mean); }
   /// Standard error of the mean of n heights around `arc`, held against the extrapolated line.
@@ -58,67 +61,68 @@ struct RoadSlope {
   }
 };
 
-/// Mean height of the last returns before i: where a step down ends, what follows lies above the extrapolated
-/// slope but not above these.
-double height_before(const Prefix& prefix, std::size_t before, std::size_t i) {
-  const std::size_t near = i - before > kLeastBefore ? i - kLeastBefore : before;
-  const Prefix::Sums last = prefix.over(near, i);
-  return last.z / last.n;
-}
-
-/// The stretches before and after return i, within its piece.
+/// The stretches before and after return i.
 struct Windows {
   std::size_t before = 0;  ///< [before, i)
   std::size_t after = 0;   ///< [i, after)
 };
 
+/// How much what follows return i stands above the slope of what came before; none where it does not by
+/// enough, or does not climb from the last returns before it: where a step down ends, what follows lies above
+/// the extrapolated slope as well.
+std::optional<double> rise_at(const Prefix& prefix, std::size_t i, const Windows& w,
+                              const GradientConfig& config) {
+  constexpr auto kNear = static_cast<double>(kLeastBefore);
+  const auto n_before = static_cast<double>(i - w.before);
+  const auto n_after = static_cast<double>(w.after - i);
+  const double height_sum = prefix.height(i, w.after);
+  // n_after times the climb, since most returns end here: they are of the road.
+  const double climb_sum = height_sum - n_after / kNear * prefix.height(i - kLeastBefore, i);
+  if (!(climb_sum > n_after * (kClimbShare * config.rise_min_m))) return std::nullopt;
+  const RoadSlope road(prefix.over(w.before, i), n_before);
+  const double arc_after = (prefix.sums[w.after].s - prefix.sums[i].s) / n_after;
+  const double rise = height_sum / n_after - road.height_at(arc_after);
+  if (!(climb_sum > n_after * kClimbShare * rise) || !(rise > config.rise_min_m)) return std::nullopt;
+  const double error = road.error_at(arc_after, n_after, n_before);
+  return rise > config.noise_factor * error ? std::optional(rise) : std::nullopt;
+}
+
+/// Whether the piece before return i ends there: a gap across the beams (returns are missing), or one along
+/// them over which the height changes too much (a shadow, an obstacle).
+bool is_gap(const Layer& layer, std::size_t i, double across, const GradientConfig& config) {
+  const Vec3 step = layer.points[i] - layer.points[i - 1];
+  const bool climbs = std::abs(step.z) > config.climb_m;
+  if (!climbs && across <= config.gap_min_m) return false;  // most returns
+  const double spacing = norm(layer.points[i].xy()) * layer.spacing_rad;
+  const double widest = std::max(config.gap_min_m, config.gap_factor * spacing);
+  return across > widest || (climbs && norm(step.xy()) > widest);
+}
+
 }  // namespace
 
-std::vector<double> arc_of(const Layer& layer) {
+std::vector<double> arc_of(const Layer& layer, const GradientConfig& config) {
+  const double apart = config.before_m + config.after_m;
   std::vector<double> arc(layer.points.size(), 0.0);
   for (std::size_t i = 1; i < arc.size(); ++i) {
-    arc[i] = arc[i - 1] + across_beams(layer.points[i - 1], layer.points[i]);
+    const double across = across_beams(layer.points[i - 1], layer.points[i]);
+    arc[i] = arc[i - 1] + (is_gap(layer, i, across, config) ? across + apart : across);
   }
   return arc;
 }
 
-std::vector<std::size_t> pieces_of(const Layer& layer, const std::vector<double>& arc,
-                                   const GradientConfig& config) {
-  std::vector<std::size_t> piece(arc.size(), 0);
-  for (std::size_t i = 1; i < arc.size(); ++i) {
-    const double spacing = norm(layer.points[i].xy()) * layer.spacing_rad;
-    const double widest = std::max(config.gap_min_m, config.gap_factor * spacing);
-    const Vec3 step = layer.points[i] - layer.points[i - 1];
-    const bool jumps = norm(step.xy()) > widest && std::abs(step.z) > config.climb_m;
-    const bool gap = arc[i] - arc[i - 1] > widest || jumps;
-    piece[i] = piece[i - 1] + (gap ? 1 : 0);
-  }
-  return piece;
-}
-
 GradientPoints gradient_points(const Layer& layer, const GradientConfig& config) {
-  const std::vector<double> arc = arc_of(layer);
-  const std::vector<std::size_t> piece = pieces_of(layer, arc, config);
+  const std::vector<double> arc = arc_of(layer, config);
   const Prefix prefix(arc, layer.points);
   GradientPoints out;
   Windows w;
   for (std::size_t i = 0; i < arc.size(); ++i) {
-    while (piece[w.before] != piece[i] || arc[w.before] < arc[i] - config.before_m) ++w.before;
-    w.after = std::max(w.after, i);
-    while (w.after < arc.size() && piece[w.after] == piece[i] && arc[w.after] <= arc[i] + config.after_m)
-      ++w.after;
+    while (arc[w.before] < arc[i] - config.before_m) ++w.before;
+    while (w.after < arc.size() && arc[w.after] <= arc[i] + config.after_m) ++w.after;
     if (i - w.before < kLeastBefore || w.after - i < kLeastAfter || arc[i] - arc[w.before] < kLeastBefore_m)
       continue;
-    const Prefix::Sums before = prefix.over(w.before, i);
-    const Prefix::Sums after = prefix.over(i, w.after);
-    const RoadSlope road(before);
-    const double arc_after = after.s / after.n;
-    const double rise = after.z / after.n - road.height_at(arc_after);
-    const double error = road.error_at(arc_after, after.n, before.n);
-    const bool climbs = after.z / after.n - height_before(prefix, w.before, i) > kClimbShare * rise;
-    if (climbs && rise > std::max(config.rise_min_m, config.noise_factor * error)) {
+    if (const auto rise = rise_at(prefix, i, w, config)) {
       out.index.push_back(i);
-      out.rise_m.push_back(rise);
+      out.rise_m.push_back(*rise);
     }
   }
   return out;

@@ -31,13 +31,11 @@ struct GradientPoints {
 /// Length along the layer across the beams at each of its points, metres, from 0 at the first. Where a scan
 /// line climbs a kerb ahead it also comes a long way nearer: by 1.6 m in five returns at 20 m, and the rise
 /// over that length is as little as a road's own slope. Across the beams the same rise is steep.
-[[nodiscard]] std::vector<double> arc_of(const Layer& layer);
-
-/// Which unbroken piece of the layer each point belongs to: a gap wider than gap_min_m and gap_factor point
-/// spacings begins a new one, and no gradient is measured over it: one across the beams (returns are
-/// missing), or along them where the height changes by more than climb_m (a shadow, an obstacle; a kerb seen
-/// along its own direction changes less).
-[[nodiscard]] std::vector<std::size_t> pieces_of(const Layer& layer, const std::vector<double>& arc,
-                                                 const GradientConfig& config);
+///
+/// No gradient is measured over a gap wider than gap_min_m and gap_factor point spacings: one across the
+/// beams (returns are missing), or one along them where the height changes by more than climb_m (a shadow, an
+/// obstacle; a kerb seen along its own direction changes less). What lies behind a gap is put farther off
+/// than any window reaches.
+[[nodiscard]] std::vector<double> arc_of(const Layer& layer, const GradientConfig& config);
 
 }  // namespace verge::detect::gradient

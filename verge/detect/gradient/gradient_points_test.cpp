@@ -126,7 +126,7 @@ TEST(GradientPoints, ALayerOfAFewPointsIsDefined) {
 
 /// Oracle: the same quantity without prefix sums or moving windows.
 double rise_by_hand(const Layer& layer, std::size_t i, const GradientConfig& config) {
-  const auto arc = arc_of(layer);
+  const auto arc = arc_of(layer, config);
   double n = 0, s = 0, z = 0, ss = 0, sz = 0, m = 0, sa = 0, za = 0;
   for (std::size_t k = 0; k < arc.size(); ++k) {
     if (k < i && arc[k] >= arc[i] - config.before_m) {

@@ -21,11 +21,11 @@ using Layer = QuadrantRing;
       scan, frame, {config.height_max_m, config.lateral_max_m, config.forward_max_m, config.range_min_m});
 }
 
-/// Distance of two returns of a scan line across the beams, in the plane: what they are apart in range does
-/// not count.
-[[nodiscard]] inline double across_beams(Vec3 a, Vec3 b) {
-  const double ranges = norm(a.xy()) + norm(b.xy());
-  return ranges > 0.0 ? 2.0 * std::abs(cross(a.xy(), b.xy())) / ranges : 0.0;
+/// Distance from one return of a scan line to the next across the beams, in the plane and at the first one's
+/// range: what they are apart in range does not count.
+[[nodiscard]] inline double across_beams(Vec3 from, Vec3 to) {
+  const double range = norm(to.xy());
+  return range > 0.0 ? std::abs(cross(from.xy(), to.xy())) / range : 0.0;
 }
 
 }  // namespace verge::detect::gradient

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <utility>
 
 namespace verge::detect::gradient {
 namespace {
@@ -20,20 +22,37 @@ std::optional<Vec2> last_direction(const std::vector<Vec2>& feet) {
   return std::nullopt;
 }
 
+/// The returns of a ring ahead, counter-clockwise, or those behind, which the seam parts in two.
+std::vector<std::span<const Vec3>> half_of(const LowRing& ring, bool front) {
+  const std::span<const Vec3> all(ring.points);
+  const auto index_of = [&](auto&& is_before) {
+    return static_cast<std::size_t>(std::ranges::partition_point(all, is_before) - all.begin());
+  };
+  const std::size_t begin = index_of([](Vec3 p) { return p.y < 0.0 && p.x < 0.0; });
+  const std::size_t end = index_of([](Vec3 p) { return p.y < 0.0 || p.x >= 0.0; });
+  if (front) return {all.subspan(begin, end - begin)};
+  return {all.subspan(end), all.first(begin)};
+}
+
 }  // namespace
 
-void RoadAxis::advance(std::span<const Vec3> half) {
+void RoadAxis::advance(const LowRing& ring) {
   constexpr double kOnRoad = 0.3;  // metres over the road: what lies higher is an obstacle
   constexpr double kAside = 1.0;   // metres: farther off the scan line does not cross the axis
+  const auto lies_before = [&](Vec3 p) { return cross(heading_, p.xy() - place_) < 0.0; };
   double nearest = kAside;
   std::optional<Vec2> crossing;
-  for (const Vec3 p : half) {
+  const auto look_at = [&](Vec3 p) {
     const Vec2 step = p.xy() - place_;
     const double aside = std::abs(cross(heading_, step));
-    if (p.z < kOnRoad && dot(heading_, step) > 0.0 && aside < nearest) {
-      nearest = aside;
-      crossing = place_ + dot(heading_, step) * heading_;
-    }
+    if (p.z >= kOnRoad || dot(heading_, step) <= 0.0 || aside >= nearest) return;
+    nearest = aside;
+    crossing = place_ + dot(heading_, step) * heading_;
+  };
+  for (const std::span<const Vec3> part : half_of(ring, front_)) {
+    const auto after = std::ranges::partition_point(part, lies_before);
+    if (after != part.begin()) look_at(*(after - 1));
+    if (after != part.end()) look_at(*after);
   }
   if (crossing) place_ = *crossing;
 }
@@ -89,27 +108,21 @@ void RoadAxis::keep_clear() {
   place_ = place_ + shift * left;
 }
 
-std::vector<Vec3> half_of(const LowRing& ring, bool front) {
-  std::vector<Vec3> half;
-  const auto& p = ring.points;
-  if (front) {
-    std::copy_if(p.begin(), p.end(), std::back_inserter(half), [](Vec3 q) { return q.x >= 0.0; });
-    return half;
+std::array<QuadrantRing, 2> parts_of(const LowRing& ring, bool front, Vec2 axis) {
+  const auto empty_part = [&](Quadrant region) {
+    return QuadrantRing{ring.ring, region, ring.elevation_rad, ring.spacing_rad, {}};
+  };
+  QuadrantRing left = empty_part(front ? Quadrant::kB : Quadrant::kD);
+  QuadrantRing right = empty_part(front ? Quadrant::kA : Quadrant::kC);
+  std::vector<Vec3>& first = (front ? right : left).points;  // counter-clockwise
+  std::vector<Vec3>& second = (front ? left : right).points;
+  for (const std::span<const Vec3> half : half_of(ring, front)) {
+    const auto split = std::ranges::partition_point(half, [&](Vec3 p) { return cross(axis, p.xy()) < 0.0; });
+    first.insert(first.end(), half.begin(), split);
+    second.insert(second.end(), split, half.end());
   }
-  // The seam lies behind: its left comes first.
-  std::copy_if(p.begin(), p.end(), std::back_inserter(half), [](Vec3 q) { return q.x < 0.0 && q.y >= 0.0; });
-  std::copy_if(p.begin(), p.end(), std::back_inserter(half), [](Vec3 q) { return q.x < 0.0 && q.y < 0.0; });
-  return half;
-}
-
-QuadrantRing part_of(const LowRing& ring, std::span<const Vec3> half, bool front, bool right, Vec2 axis) {
-  const Quadrant region =
-      front ? (right ? Quadrant::kA : Quadrant::kB) : (right ? Quadrant::kC : Quadrant::kD);
-  QuadrantRing part{ring.ring, region, ring.elevation_rad, ring.spacing_rad, {}};
-  std::copy_if(half.begin(), half.end(), std::back_inserter(part.points),
-               [&](Vec3 p) { return (cross(axis, p.xy()) >= 0.0) == (front != right); });
-  if (outward_sign(region) < 0) std::reverse(part.points.begin(), part.points.end());
-  return part;
+  std::ranges::reverse(first);  // from the axis outward
+  return {std::move(left), std::move(right)};
 }
 
 }  // namespace verge::detect::gradient

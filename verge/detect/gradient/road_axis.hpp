@@ -4,7 +4,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "verge/core/vec.hpp"
@@ -18,10 +17,10 @@ namespace verge::detect::gradient {
 /// from scan line to scan line along the boundaries found so far.
 class RoadAxis {
  public:
-  explicit RoadAxis(bool front) : heading_{front ? 1.0 : -1.0, 0.0} {}
+  explicit RoadAxis(bool front) : front_(front), heading_{front ? 1.0 : -1.0, 0.0} {}
 
-  /// Goes on to the next scan line, from the innermost outward: `half` are its returns ahead or behind.
-  void advance(std::span<const Vec3> half);
+  /// Goes on to the next scan line, from the innermost outward.
+  void advance(const LowRing& ring);
   /// Where the last scan line crosses the axis, from the sensor.
   [[nodiscard]] Vec2 direction() const { return norm(place_) > 0.0 ? place_ : heading_; }
   /// What that scan line met first outward on either side.
@@ -36,16 +35,14 @@ class RoadAxis {
   void turn();
   void keep_clear();
 
+  bool front_;
   Vec2 place_{};
   Vec2 heading_;
   std::array<Side, 2> sides_;  ///< Left and right.
 };
 
-/// The returns of one scan line ahead or behind, counter-clockwise.
-[[nodiscard]] std::vector<Vec3> half_of(const LowRing& ring, bool front);
-
-/// Those of them on one side of a direction, from it outward.
-[[nodiscard]] QuadrantRing part_of(const LowRing& ring, std::span<const Vec3> half, bool front, bool right,
-                                   Vec2 axis);
+/// The returns of one scan line ahead or behind on both sides of a direction, left and right, each from it
+/// outward.
+[[nodiscard]] std::array<QuadrantRing, 2> parts_of(const LowRing& ring, bool front, Vec2 axis);
 
 }  // namespace verge::detect::gradient

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verge/detect/gradient/scan_lines.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 
 #include "verge/detect/gradient/road_axis.hpp"
@@ -25,6 +27,11 @@ ScanLine scan_line(Layer layer, const Obstacles& obstacles, const GradientConfig
   return {std::move(layer), std::move(points), std::move(clusters), candidate};
 }
 
+/// Whether a scan line anywhere comes down to where a boundary may stand; those that meet walls alone do not.
+bool comes_down(const LowRing& ring, const GradientConfig& config) {
+  return std::ranges::any_of(ring.points, [&](Vec3 p) { return p.z < config.obstacle_m; });
+}
+
 }  // namespace
 
 std::vector<ScanLine> scan_lines_as_printed(const std::vector<LowRing>& low, const GradientConfig& config) {
@@ -36,16 +43,18 @@ std::vector<ScanLine> scan_lines_as_printed(const std::vector<LowRing>& low, con
 std::vector<ScanLine> scan_lines(const std::vector<LowRing>& low, const Obstacles& obstacles,
                                  const GradientConfig& config) {
   std::vector<ScanLine> lines;
+  lines.reserve(kQuadrants.size() * low.size());
   for (const bool front : {true, false}) {
     RoadAxis axis(front);
     for (const LowRing& ring : low) {
-      const std::vector<Vec3> half = half_of(ring, front);
-      axis.advance(half);
-      const Vec2 direction = axis.direction();
+      if (!comes_down(ring, config)) continue;
+      axis.advance(ring);
       std::array<std::optional<Vec2>, 2> feet;
-      for (const bool right : {false, true}) {
-        lines.push_back(scan_line(part_of(ring, half, front, right, direction), obstacles, config));
-        if (const auto& met = lines.back().candidate) feet[right ? 1 : 0] = met->foot.xy();
+      std::size_t side = 0;
+      for (Layer& part : parts_of(ring, front, axis.direction())) {
+        lines.push_back(scan_line(std::move(part), obstacles, config));
+        if (const auto& met = lines.back().candidate) feet[side] = met->foot.xy();
+        ++side;
       }
       axis.follow(feet[0], feet[1]);
     }
