@@ -101,6 +101,16 @@ bool is_straight(const fit::LineFit& line, const std::vector<Vec2>& points, cons
   return !spline || bic(line.residuals, 2) <= bic(spline->residuals, spline->curve.control_points.size());
 }
 
+/// Keeps the curvature of the points that key points were chosen from, and where along them all of these lie:
+/// key points are some of them, in order.
+void note_curvature(Curve& curve, std::vector<double> kappa, const std::vector<Vec2>& points) {
+  curve.kappa = std::move(kappa);
+  curve.s = fit::arc_lengths(points);
+  for (std::size_t i = 0; i < points.size() && curve.key_s.size() < curve.key_points.size(); ++i) {
+    if (points[i] == curve.key_points[curve.key_s.size()]) curve.key_s.push_back(curve.s[i]);
+  }
+}
+
 /// III-2 to III-5: key points on the curve that smooths the boundary, and the B-spline through them.
 std::optional<Curve> through_key_points(const std::vector<Vec2>& points, const GradientConfig& config) {
   constexpr double kSample = 0.25;  // metres
@@ -109,7 +119,7 @@ std::optional<Curve> through_key_points(const std::vector<Vec2>& points, const G
   fit::InterpolationOptions options;
   options.knots = config.knots;
   auto curve = through(key_points_of(samples, config), options, config.sample_step_m);
-  if (curve) curve->kappa = fit::smoothed_curvature(samples, config.key_window_m);
+  if (curve) note_curvature(*curve, fit::smoothed_curvature(samples, config.key_window_m), samples);
   return curve;
 }
 
@@ -120,7 +130,7 @@ std::optional<Curve> least_squares_curve(const std::vector<Vec2>& points, const 
   const fit::BSpline& spline = fitted->curve;
   Curve curve{Model::kSpline,       fit::sample(spline, config.sample_step_m), {}, {}, {}, spline.knots,
               spline.control_points};
-  curve.kappa = fit::smoothed_curvature(curve.points, config.key_window_m);
+  note_curvature(curve, fit::smoothed_curvature(curve.points, config.key_window_m), curve.points);
   return curve;
 }
 
@@ -150,7 +160,7 @@ std::optional<Curve> fit_curve_as_printed(std::span<const Vec2> points, const Gr
   fit::InterpolationOptions options;
   options.parameterization = fit::Parameterization::kChordLength;
   auto curve = through(key_points, options, config.sample_step_m);
-  if (curve) curve->kappa = kappa;
+  if (curve) note_curvature(*curve, kappa, ordered);
   return curve;
 }
 

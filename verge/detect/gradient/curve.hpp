@@ -24,6 +24,8 @@ struct Curve {
   std::vector<double> u;         ///< Parameters of the key points.
   std::vector<double> U;         ///< Knot vector.
   std::vector<Vec2> control_points;  ///< P_i
+  std::vector<double> s{};           ///< Where each point of kappa lies along them, m from the first.
+  std::vector<double> key_s{};       ///< Where the key points do; they are some of them.
 };
 
 /// III, fixed reading. A straight line by robust orthogonal least squares where the residuals' 95th

@@ -99,6 +99,18 @@ TEST(FitCurve, KeepsTheIntermediatesOfItsSpline) {
   EXPECT_NEAR(sharpest, 1.0 / kRadius, 0.03);
 }
 
+TEST(FitCurve, TellsWhereThePointsOfTheCurvatureAndTheKeyPointsLie) {
+  for (const auto& curve : {fit_curve(bend_points(0.02), {}), fit_curve_as_printed(bend_points(0.02), {})}) {
+    ASSERT_TRUE(curve.has_value());
+    ASSERT_EQ(curve->s.size(), curve->kappa.size());
+    ASSERT_EQ(curve->key_s.size(), curve->key_points.size());
+    EXPECT_EQ(curve->key_s.front(), 0.0);
+    EXPECT_EQ(curve->key_s.back(), curve->s.back());
+    const double step = distance(curve->key_points[0], curve->key_points[1]);
+    EXPECT_GE(curve->key_s[1], step - 1e-9);  // along the points is no shorter than straight
+  }
+}
+
 TEST(FitCurve, ReversingThePointsReversesTheCurve) {
   auto points = bend_points(0.02);
   const auto forth = fit_curve(points, {});

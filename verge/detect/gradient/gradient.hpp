@@ -196,7 +196,9 @@ class Gradient final : public Detector {
   /// Boundaries in the sensor's frame, rear end first. Uses scan.mount, or estimates it. Trace layers: points
   /// "low", "gradient points" (group = quadrant a..d as 0..3), "candidates" (likewise), "clusters" (group =
   /// boundary), "key points" (likewise); lines "fit"; values "K" (a number for each scan line and region)
-  /// and, for each B-spline, "P" (control points, x and y by turns, level frame), "kappa", "u" and "U".
+  /// and, for each B-spline, "P" (control points, x and y by turns, level frame), "s" and "kappa" (place
+  /// along it, m, and curvature, 1/m, of the points that key points were chosen from), "key s" (place of the
+  /// key points), "u" and "U".
   [[nodiscard]] Scene process(const Scan& scan, Trace* trace = nullptr) override;
   [[nodiscard]] Order order() const override { return Order::kIndependent; }
 

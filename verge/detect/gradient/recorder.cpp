@@ -72,7 +72,9 @@ void Recorder::spline(const Fitted& fitted) {
   Trace::Values control{"P", {}};  // x and y by turns, level frame
   for (const Vec2 p : curve.control_points) control.values.insert(control.values.end(), {p.x, p.y});
   trace_->values.push_back(std::move(control));
+  trace_->values.push_back({"s", curve.s});
   trace_->values.push_back({"kappa", curve.kappa});
+  trace_->values.push_back({"key s", curve.key_s});
   trace_->values.push_back({"u", curve.u});
   trace_->values.push_back({"U", curve.U});
 }
