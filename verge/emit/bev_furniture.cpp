@@ -60,7 +60,9 @@ std::vector<std::string> caption_of(const BevContent& content) {
   const std::size_t count = content.scene.boundaries.size();
   std::vector<std::string> lines;
   const std::string found = fmt::format("{} {}", count, count == 1 ? "boundary" : "boundaries");
-  lines.push_back(content.scene.method.empty() ? found : content.scene.method + "  ·  " + found);
+  const bool is_of_method = !content.scene.method.empty();
+  if (is_of_method || count > 0)
+    lines.push_back(is_of_method ? content.scene.method + "  ·  " + found : found);
   if (content.scan.mount) {
     lines.push_back(fmt::format("sensor {:.2f} m above the road", content.scan.mount->height_m));
   }

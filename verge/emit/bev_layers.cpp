@@ -68,7 +68,8 @@ constexpr std::string_view kGateLayer = "low";
 
 constexpr std::array kPointStyles = std::to_array<LayerStyle>({
     {kGateLayer, "below the height gate", kScanRadius, 0.0, Hue::kHeight, {}, Depth::kUnder},
-    {"candidates", "candidates", 2.6, 1.0, Hue::kOwn, rgb(0xFFD54A), Depth::kUnder},
+    {"gradient points", "gradient points", 2.0, 0.8, Hue::kGroup, rgb(0xE6EDF3), Depth::kUnder},
+    {"candidates", "candidates", 3.0, 1.2, Hue::kOwn, rgb(0xFFD54A), Depth::kUnder},
     {"clusters", "clusters", 3.4, 1.2, Hue::kGroup, rgb(0xFF6FB5), Depth::kUnder},
     {"key points", "key points", 4.0, 2.0, Hue::kOwn, rgb(0xFFFFFF), Depth::kOver},
     {"centroids", "centroids", 8.0, 3.0, Hue::kOwn, rgb(0xFFFFFF), Depth::kOver},

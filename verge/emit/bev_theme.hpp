@@ -15,6 +15,8 @@ inline constexpr Colour kFaintText = rgb(0xAEB8C4);
 inline constexpr Colour kAboveScale = rgb(0x77818D);
 inline constexpr Colour kRing = rgb(0xFFFFFF, 0.20);
 inline constexpr Colour kTruth = rgb(0xFFFFFF);
+inline constexpr Colour kPlotCurve = rgb(0x4CC9FF);
+inline constexpr Colour kPlotThreshold = rgb(0xFFD166);
 inline constexpr Colour kTraceLine = rgb(0xF4F1EA, 0.9);
 
 }  // namespace verge::emit

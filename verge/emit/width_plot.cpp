@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <string_view>
 #include <utility>
 
@@ -15,6 +14,7 @@
 #include "verge/emit/bev_layers.hpp"
 #include "verge/emit/bev_theme.hpp"
 #include "verge/emit/canvas.hpp"
+#include "verge/emit/value_axis.hpp"
 
 namespace verge::emit {
 namespace {
@@ -25,7 +25,6 @@ constexpr double kRight_px = 30.0;
 constexpr double kPanel_px = 220.0;
 constexpr double kHead_px = 44.0;  // a panel's title
 constexpr double kFoot_px = 60.0;
-constexpr Colour kThreshold = rgb(0xFFD166);
 constexpr Colour kCandidate = rgb(0xFFFFFF, 0.12);
 
 /// A curve of a panel: its value at each scan, none where there is none.
@@ -51,7 +50,7 @@ std::pair<double, double> range_of(const Panel& panel) {
       high = std::max(high, *value);
     }
   }
-  return {low, high > low ? high : low + 1.0};
+  return {low, high};
 }
 
 }  // namespace
@@ -84,7 +83,7 @@ class WidthPainter {
     std::vector<Panel> panels = {lengths_of(plot)};
     const auto add = [&](const std::string& title, const std::string& threshold,
                          std::optional<WidthPlot::Compared> WidthPlot::Row::*what) {
-      Panel panel{title, {{title, rgb(0x4CC9FF), {}}, {threshold, kThreshold, {}, true}}};
+      Panel panel{title, {{title, kPlotCurve, {}}, {threshold, kPlotThreshold, {}, true}}};
       bool any = false;
       for (const auto& row : plot.scans_) {
         const auto& compared = row.*what;
@@ -116,20 +115,10 @@ class WidthPainter {
 
   void draw(const Panel& panel, double top, bool named) {
     const auto [low, high] = range_of(panel);
-    const double step = round_length((high - low) / 3.0);
-    const double least = std::floor(low / step) * step;
-    const double most = std::ceil(high / step) * step;
-    const auto y_of = [=](double value) { return top + kPanel_px * (most - value) / (most - least); };
+    const ValueAxis axis(low, high, {kLeft_px, top, kWidth_px - kLeft_px - kRight_px, kPanel_px});
     draw_states(top);
-    const int ticks = static_cast<int>(std::round((most - least) / step));
-    for (int i = 0; i <= ticks; ++i) {
-      const double value = least + step * i;
-      canvas_.line(std::array{Vec2{kLeft_px, y_of(value)}, Vec2{kWidth_px - kRight_px, y_of(value)}},
-                   {1.0, kRing, {}});
-      canvas_.text({kLeft_px - 12.0, y_of(value) + 6.0}, fmt::format("{:g}", std::round(value / step) * step),
-                   {.size = 17.0, .colour = kFaintText, .align = Align::kRight});
-    }
-    for (const Curve& curve : panel.curves) draw_curve(curve, y_of);
+    axis.draw(canvas_);
+    for (const Curve& curve : panel.curves) draw_curve(curve, axis);
     draw_corners(top, named);
     draw_head(panel, top);
   }
@@ -141,7 +130,7 @@ class WidthPainter {
     }
   }
 
-  void draw_curve(const Curve& curve, const std::function<double(double)>& y_of) {
+  void draw_curve(const Curve& curve, const ValueAxis& axis) {
     std::vector<Vec2> line;
     const auto finish = [&] {
       const std::vector<double> dashes =
@@ -151,7 +140,7 @@ class WidthPainter {
     };
     for (std::size_t i = 0; i < curve.values.size(); ++i) {
       if (!curve.values[i]) finish();
-      if (curve.values[i]) line.push_back({x_of(i), y_of(*curve.values[i])});
+      if (curve.values[i]) line.push_back({x_of(i), axis.y_of(*curve.values[i])});
     }
     finish();
   }
