@@ -134,6 +134,9 @@ Expected<void> write_report(const std::filesystem::path& folder, const study::Re
   if (!corners) return Unexpected(corners.error());
   auto galleries = study::edge_galleries(results);
   if (!galleries) return Unexpected(galleries.error());
+  auto roads = study::boundary_galleries(results);
+  if (!roads) return Unexpected(roads.error());
+  std::ranges::move(*roads, std::back_inserter(*galleries));
   galleries->push_back(
       {"Corners",
        "Four lines seen from above, heading up, with the edges found; true corners are crosses, faint where "

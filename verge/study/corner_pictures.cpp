@@ -13,9 +13,9 @@
 
 #include <fmt/format.h>
 
-#include "verge/emit/bev_plot.hpp"
 #include "verge/emit/width_plot.hpp"
 #include "verge/pipeline/stages.hpp"
+#include "verge/study/album.hpp"
 #include "verge/study/parts.hpp"
 #include "verge/study/report.hpp"
 
@@ -26,6 +26,7 @@ namespace {
 
 constexpr std::uint64_t kDrive = 1;
 constexpr std::size_t kScans = 400;  // past the first corners and what looks like one
+constexpr Reach kLines{12.0, 2.0, 7.0};
 
 /// Where the first line is at the first true corner, as in Fig. 2 and 3.
 enum class Phase { kStraight, kEntering, kPassing, kLeaving };
@@ -60,26 +61,9 @@ struct Follower {
 pipeline::Frame seen_by(Follower& follower, const Scan& scan) {
   pipeline::Frame frame;
   frame.scan = scan;
-  pipeline::Options options{
-      .mount_hint = {}, .mount_config = {}, .method = follower.contestant.name, .config_hash = {}};
-  options.trace = true;
-  pipeline::prepare(frame, options);
-  pipeline::detect_on(frame, *follower.detector, options);
+  pipeline::prepare(frame, {});
+  detect_traced(frame, *follower.detector, follower.contestant.name);
   return frame;
-}
-
-Expected<Picture> from_above(const pipeline::Frame& frame, const Scene& truth, const std::string& what) {
-  emit::BevPlot::Config config;
-  config.size_px = 700;
-  config.ahead_m = 12.0;
-  config.behind_m = 2.0;
-  config.side_m = 7.0;
-  if (frame.scan.mount) config.up_rad = frame.scan.mount->forward_rad;
-  return emit::BevPlot(config)
-      .png({.scan = frame.scan, .scene = frame.scene, .trace = &*frame.trace, .truth = &truth})
-      .map([&](std::string png) {
-        return Picture{std::move(png), fmt::format("{}: {}", frame.scene.method, what)};
-      });
 }
 
 const Corner* first_true(const Scene& truth, std::optional<int>& id) {
@@ -114,7 +98,10 @@ Expected<std::vector<Picture>> drive_past(const MadeDrives& drives, std::vector<
       if (&follower != &followers.front() || pictures.size() == kPhases.size() || corner == nullptr) continue;
       const auto& [phase, name] = kPhases.at(pictures.size());
       if (!is_in(phase, *corner)) continue;
-      auto picture = from_above(frame, simulated.truth, name);
+      auto picture = from_above(
+          fmt::format("{}: {}", frame.scene.method, name),
+          {.scan = frame.scan, .scene = frame.scene, .trace = &*frame.trace, .truth = &simulated.truth},
+          kLines);
       if (!picture) return Unexpected(std::move(picture).error());
       pictures.push_back(*std::move(picture));
     }

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The verge authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <initializer_list>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,9 +10,8 @@
 #include <fmt/format.h>
 
 #include "verge/detect/registry.hpp"
-#include "verge/emit/bev_plot.hpp"
 #include "verge/emit/raster_plot.hpp"
-#include "verge/pipeline/stages.hpp"
+#include "verge/study/album.hpp"
 #include "verge/study/parts.hpp"
 #include "verge/study/report.hpp"
 
@@ -26,12 +23,6 @@ namespace {
 constexpr std::string_view kMethod = "line_fit";
 constexpr double kGate_m = 50.0;  // Fig. 6
 
-/// How far a picture reaches.
-struct Reach {
-  double ahead_m = 0.0;
-  double behind_m = 2.0;
-  double side_m = 0.0;
-};
 constexpr Reach kAll{120.0, 10.0, 65.0};
 constexpr Reach kGated{52.0, 2.0, 27.0};
 constexpr Reach kNear{32.0, 2.0, 17.0};
@@ -40,25 +31,8 @@ constexpr Reach kNear{32.0, 2.0, 17.0};
 pipeline::Frame traced(const Scan& scan, const std::vector<Setting>& settings) {
   pipeline::Frame frame;
   frame.scan = scan;
-  pipeline::Options options{
-      .mount_hint = {}, .mount_config = {}, .method = std::string(kMethod), .config_hash = {}};
-  options.trace = true;
-  pipeline::detect_on(frame, *detect::make(kMethod, settings), options);
+  detect_traced(frame, *detect::make(kMethod, settings), std::string(kMethod));
   return frame;
-}
-
-/// The layers of points of these names, and the lines whose names begin with one of `lines`.
-Trace only(const Trace& all, std::initializer_list<std::string_view> points,
-           std::initializer_list<std::string_view> lines = {}) {
-  Trace some;
-  for (const std::string_view name : points) {
-    if (const Trace::Points* layer = all.find_points(name)) some.points.push_back(*layer);
-  }
-  for (const Trace::Line& line : all.lines) {
-    if (std::ranges::any_of(lines, [&](std::string_view name) { return line.name.starts_with(name); }))
-      some.lines.push_back(line);
-  }
-  return some;
 }
 
 /// The returns of the four layers, those beyond the gate apart.
@@ -88,61 +62,12 @@ std::vector<Vec2> peaks_of(const Trace& trace) {
   return peaks;
 }
 
-/// Pictures of one scan, until one of them fails.
-class Album {
- public:
-  explicit Album(const Scan& scan) : scan_(scan) {
-    bare_.frame = scan.frame;
-    bare_.mount = scan.mount;
-    bare_.ring_begin = {0};
-    if (scan.mount) config_.up_rad = scan.mount->forward_rad;
-    config_.size_px = 700;
-  }
-
-  /// Layers of a trace alone.
-  void layers(std::string caption, const Trace& trace, Reach reach) {
-    from_above(std::move(caption), {.scan = bare_, .scene = {}, .trace = &trace}, reach);
-  }
-
-  /// The whole scan with what was found in it, and what is true.
-  void found(std::string caption, const Scene& scene, const Scene* truth, Reach reach) {
-    from_above(std::move(caption), {.scan = scan_, .scene = scene, .trace = nullptr, .truth = truth}, reach);
-  }
-
-  /// None where the scan has too little for one.
-  void raster(std::string caption, const Trace& trace, std::string_view name, emit::RasterColours colours,
-              const std::vector<Vec2>& marks = {}) {
-    const Trace::Raster* raster = trace.find_raster(name);
-    if (raster != nullptr) add(std::move(caption), emit::raster_png(*raster, colours, marks));
-  }
-
-  [[nodiscard]] Expected<std::vector<Picture>> finish() {
-    if (fault_) return Unexpected(*std::move(fault_));
-    return std::move(pictures_);
-  }
-
- private:
-  void from_above(std::string caption, const emit::BevContent& content, Reach reach) {
-    config_.ahead_m = reach.ahead_m;
-    config_.behind_m = reach.behind_m;
-    config_.side_m = reach.side_m;
-    add(std::move(caption), emit::BevPlot(config_).png(content));
-  }
-
-  void add(std::string caption, Expected<std::string> png) {
-    if (png) {
-      pictures_.push_back({*std::move(png), std::move(caption)});
-    } else if (!fault_) {
-      fault_ = std::move(png).error();
-    }
-  }
-
-  const Scan& scan_;
-  Scan bare_;  ///< The same without its points.
-  emit::BevPlot::Config config_;
-  std::vector<Picture> pictures_;
-  std::optional<Error> fault_;
-};
+/// None where the scan has too little for one.
+void add_raster(Album& album, std::string caption, const Trace& trace, std::string_view name,
+                emit::RasterColours colours, const std::vector<Vec2>& marks = {}) {
+  const Trace::Raster* raster = trace.find_raster(name);
+  if (raster != nullptr) album.add(std::move(caption), emit::raster_png(*raster, colours, marks));
+}
 
 /// What the paper does, in its order.
 void add_printed(const Scan& scan, Album& album) {
@@ -154,10 +79,10 @@ void add_printed(const Scan& scan, Album& album) {
   album.layers("Fig. 15a (by the code of Fig. 6): those within the gate, by layer", only(printed, {"gate"}),
                kGated);
   album.layers("Fig. 12: the third layer", only(printed, {"layer"}), kGated);
-  album.raster("Fig. 15b: its points marked as squares", printed, "squares", RasterColours::kGrey);
-  album.raster("Fig. 15c: edges of the squares, by Canny", printed, "edges", RasterColours::kGrey);
-  album.raster("Fig. 16a: the Hough accumulator with its peaks", printed, "accumulator", RasterColours::kHeat,
-               peaks_of(printed));
+  add_raster(album, "Fig. 15b: its points marked as squares", printed, "squares", RasterColours::kGrey);
+  add_raster(album, "Fig. 15c: edges of the squares, by Canny", printed, "edges", RasterColours::kGrey);
+  add_raster(album, "Fig. 16a: the Hough accumulator with its peaks", printed, "accumulator",
+             RasterColours::kHeat, peaks_of(printed));
   album.layers("Fig. 16b: Hough lines", only(printed, {"layer"}, {"hough segment "}), kGated);
   album.layers("Fig. 13: two clusters by k-means, and their centroids",
                only(printed, {"groups", "centroids"}), kGated);

@@ -53,6 +53,12 @@ struct Gallery {
 /// see_again() and edge_pictures().
 [[nodiscard]] Expected<std::vector<Gallery>> edge_galleries(const Results& results);
 
+/// Of a suite that names scans for them (Suite::road_figures): paper 3's Fig. 2, 3, 4, 6 and 7. Points before
+/// and after denoising and the curvature of the longest B-spline by the contestants of method gradient, and
+/// the boundaries of every contestant that says some, with the truth. A scan that the suite or its labelled
+/// set does not have gives no gallery. Fails as see_again() and emit::BevPlot::png().
+[[nodiscard]] Expected<std::vector<Gallery>> boundary_galleries(const Results& results);
+
 /// One page that needs nothing beside it: no network, no script.
 [[nodiscard]] std::string html_report(const Results& results, const std::vector<Gallery>& galleries,
                                       bool times);

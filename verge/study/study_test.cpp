@@ -189,6 +189,8 @@ TEST(Suites, ShowFiguresThatThereAreOfCellsThatThereAre) {
     std::set<std::string> cells;
     for (const Cell& cell : suite.cells) EXPECT_TRUE(cells.insert(cell.name).second) << cell.name;
     for (const Printed& printed : suite.printed) EXPECT_TRUE(cells.contains(printed.cell)) << printed.cell;
+    for (const RoadFigure& figure : suite.road_figures)
+      EXPECT_TRUE(cells.contains(figure.cell)) << figure.cell;
     Tally tally;
     for (const double tolerance_m : eval::LabelScoreConfig{}.tolerance_m)
       tally.labels.at.push_back({.tolerance_m = tolerance_m});
@@ -475,6 +477,44 @@ TEST(EdgePictures, LeaveOutWhatAScanHasTooLittleFor) {
   const auto pictures = edge_pictures(scan, nullptr);
   ASSERT_TRUE(pictures.has_value());
   EXPECT_EQ(pictures->size(), 10U) << "all but the three rasters";
+}
+
+// Paper 3's figures, of the scans that the suite names.
+TEST(BoundaryGalleries, ShowAStraightFrameAndACorner) {
+  Results results{
+      .suite = suite_named("paper3", {}), .contestants = {contestant_of("road_width")}, .tallies = {}};
+  EXPECT_TRUE(boundary_galleries(results)->empty()) << "nobody says boundaries";
+  results.contestants = {contestant_of("gradient"), contestant_of("gradient:reading=paper"),
+                         contestant_of("lda")};
+  const auto galleries = boundary_galleries(results);
+  ASSERT_TRUE(galleries.has_value());
+  std::vector<std::string> figures;
+  for (const Gallery& gallery : *galleries) {
+    EXPECT_THAT(gallery.about, testing::ContainsRegex("^Scan (straight|corner)-[12]-"));
+    for (const Picture& picture : gallery.pictures) {
+      EXPECT_EQ(picture.png.substr(1, 3), "PNG");
+      figures.push_back(picture.caption.substr(0, picture.caption.find(',')));
+    }
+  }
+  EXPECT_THAT(figures, testing::ElementsAre(
+                           "Fig. 2: gradient", "Fig. 2: gradient", "Fig. 6: boundaries by gradient",
+                           "Fig. 6: boundaries by gradient:reading=paper", "Fig. 6: boundaries by lda",
+                           "Fig. 3: gradient", "Fig. 3: gradient", "Fig. 4: gradient",
+                           "Fig. 4: gradient:reading=paper", "Fig. 7: boundaries by gradient",
+                           "Fig. 7: boundaries by gradient:reading=paper", "Fig. 7: boundaries by lda"));
+}
+
+TEST_F(Engine, ALabelledSetWithoutTheScanHasNoGallery) {
+  write(folder_ / "a.pcd.bin", returns_ahead());
+  std::filesystem::create_directories(folder_ / "lidarseg");
+  Suite suite;
+  suite.cells = {{.name = "set", .scans = LabelledScans{folder_}}};
+  suite.road_figures = {{.title = "beyond", .cell = "set", .scan = 7},
+                        {.title = "of no cell", .cell = "another", .scan = 0}};
+  const auto galleries =
+      boundary_galleries({.suite = suite, .contestants = {contestant_of("gradient")}, .tallies = {}});
+  ASSERT_TRUE(galleries.has_value());
+  EXPECT_TRUE(galleries->empty());
 }
 
 TEST(Plot, LeavesOutWhatIsNotFiniteAndIsEmptyWithoutAPoint) {

@@ -71,6 +71,15 @@ struct Printed {
   std::vector<std::pair<std::string, double>> figures;
 };
 
+/// A scan that the report shows as paper 3 shows its frames.
+struct RoadFigure {
+  std::string title;
+  std::string cell;         ///< By its name.
+  std::uint64_t drive = 0;  ///< Number of the drive; 0 of a labelled set.
+  std::uint64_t scan = 0;   ///< Its index on the drive, or its place in the set.
+  bool bend = false;        ///< Fig. 3, 4 and 7, of a corner or a junction; else Fig. 2 and 6.
+};
+
 /// An evaluation as data: on what, judged how, shown how.
 struct Suite {
   std::string name;
@@ -82,6 +91,7 @@ struct Suite {
   double label_tolerance_m = 0.3;  ///< Of labelled sets: that of the headline.
   std::vector<Column> columns;
   std::vector<Printed> printed;
+  std::vector<RoadFigure> road_figures{};
 };
 
 /// What a suite is asked to be.

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "verge/sim/noise.hpp"
 #include "verge/study/suite.hpp"
@@ -21,6 +23,9 @@ namespace verge::study {
 [[nodiscard]] Suite corners_suite(const SuiteRequest& request);
 [[nodiscard]] Suite real_suite(const SuiteRequest& request);
 [[nodiscard]] Suite campus_suite(const SuiteRequest& request);
+
+/// Scans of nuScenes HDL-32E for the report, from cells of these names.
+[[nodiscard]] std::vector<RoadFigure> hdl32_figures(const std::string& straight, const std::string& junction);
 
 /// A number of drive `drive`, uniform in [low, high); `which` tells several of a drive apart.
 [[nodiscard]] inline double drawn(std::uint64_t drive, std::uint64_t which, double low, double high) {

@@ -82,6 +82,10 @@ Suite paper3_suite(const SuiteRequest& request) {
                    {"success_high", "high"}, {"minimum", "min.", 0}, {"larger", "larger", 0},
                    {"failed", "failed", 0},  {"f1", "F1 at 0.2 m"},  {"lateral_p95_m", "95 % error m"}};
   suite.printed = printed_figures();
+  // Both widths of the paper's Fig. 6 and 7. The bend begins abreast of the vehicle, so that the curvature
+  // tells its straight part from its round one.
+  suite.road_figures = {{"a straight road of 13 m", "straight", 1, 0, false},
+                        {"a bend of a road of 6 m", "corner", 2, 0, true}};
   return suite;
 }
 

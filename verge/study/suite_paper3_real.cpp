@@ -46,6 +46,7 @@ Suite paper3_real_suite(const SuiteRequest& request) {
                    {"kerb_recall", "kerb recall"},
                    {"f1", "F1"},
                    {"rmse_m", "RMSE m"}};
+  suite.road_figures = hdl32_figures("straight: nuScenes HDL-32E", "junction: nuScenes HDL-32E");
   return suite;
 }
 

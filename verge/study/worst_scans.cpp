@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "verge/emit/bev_plot.hpp"
+#include "verge/study/album.hpp"
 #include "verge/study/parts.hpp"
 #include "verge/study/report.hpp"
 
 namespace verge::study {
 namespace {
+
+constexpr Reach kAround{22.0, 22.0, 22.0};
 
 /// A contestant's poorest scan of a cell.
 struct Poorest {
@@ -40,19 +42,17 @@ std::string caption_of(const Results& results, std::size_t contestant, const Poo
 }  // namespace
 
 Expected<std::vector<Picture>> worst_scans(const Results& results, std::size_t most) {
-  emit::BevPlot::Config config;
-  config.size_px = 700;
-  config.ahead_m = config.behind_m = config.side_m = 22.0;
   std::vector<Picture> pictures;
   for (std::size_t i = 0; i < results.contestants.size(); ++i) {
     for (const Poorest& poorest : poorest_of(results, i, most)) {
       const auto seen = see_again(results.suite.cells[poorest.cell], poorest.scan, results.contestants[i]);
       if (!seen) return Unexpected(seen.error());
-      if (seen->frame.scan.mount) config.up_rad = seen->frame.scan.mount->forward_rad;
-      auto png = emit::BevPlot(config).png(
-          {.scan = seen->frame.scan, .scene = seen->frame.scene, .trace = nullptr, .truth = &seen->truth});
-      if (!png) return Unexpected(std::move(png).error());
-      pictures.push_back({*std::move(png), caption_of(results, i, poorest)});
+      auto picture = from_above(
+          caption_of(results, i, poorest),
+          {.scan = seen->frame.scan, .scene = seen->frame.scene, .trace = nullptr, .truth = &seen->truth},
+          kAround);
+      if (!picture) return Unexpected(std::move(picture).error());
+      pictures.push_back(*std::move(picture));
     }
   }
   return pictures;
