@@ -39,20 +39,16 @@ std::vector<std::span<const Vec3>> half_of(const LowRing& ring, bool front) {
 void RoadAxis::advance(const LowRing& ring) {
   constexpr double kOnRoad = 0.3;  // metres over the road: what lies higher is an obstacle
   constexpr double kAside = 1.0;   // metres: farther off the scan line does not cross the axis
-  const auto lies_before = [&](Vec3 p) { return cross(heading_, p.xy() - place_) < 0.0; };
   double nearest = kAside;
   std::optional<Vec2> crossing;
-  const auto look_at = [&](Vec3 p) {
-    const Vec2 step = p.xy() - place_;
-    const double aside = std::abs(cross(heading_, step));
-    if (p.z >= kOnRoad || dot(heading_, step) <= 0.0 || aside >= nearest) return;
-    nearest = aside;
-    crossing = place_ + dot(heading_, step) * heading_;
-  };
   for (const std::span<const Vec3> part : half_of(ring, front_)) {
-    const auto after = std::ranges::partition_point(part, lies_before);
-    if (after != part.begin()) look_at(*(after - 1));
-    if (after != part.end()) look_at(*after);
+    for (const Vec3 p : part) {
+      const Vec2 step = p.xy() - place_;
+      const double aside = std::abs(cross(heading_, step));
+      if (aside >= nearest || p.z >= kOnRoad || dot(heading_, step) <= 0.0) continue;
+      nearest = aside;
+      crossing = place_ + dot(heading_, step) * heading_;
+    }
   }
   if (crossing) place_ = *crossing;
 }
@@ -82,9 +78,11 @@ void RoadAxis::extend(Side& side, std::optional<Vec2> foot) {
 
 void RoadAxis::turn() {
   constexpr double kMost = 0.94;  // cosine of 20 degrees, a scan line
+  const auto left = last_direction(sides_[0].feet);
+  const auto right = last_direction(sides_[1].feet);
+  if (left && right && dot(*left, *right) < kMost) return;  // the road forks: neither way is known
   Vec2 sum{};
-  for (const Side& side : sides_) {
-    const auto direction = last_direction(side.feet);
+  for (const auto& direction : {left, right}) {
     if (direction && dot(*direction, heading_) > kMost) sum = sum + *direction;
   }
   if (norm(sum) > 0.0) heading_ = (1.0 / norm(sum)) * sum;

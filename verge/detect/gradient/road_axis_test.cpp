@@ -76,6 +76,16 @@ TEST(RoadAxis, AFootFarAsideDoesNotTurnIt) {
   EXPECT_NEAR(axis.direction().y, 0.0, 1e-9);
 }
 
+TEST(RoadAxis, AForkDoesNotTurnIt) {
+  RoadAxis axis(true);
+  for (const double range : {4.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0}) {
+    const double aside = 3.0 + 0.18 * (range - 4.0);  // both sides leave by 10 degrees and more
+    axis.advance(ring_of(range));
+    axis.follow(Vec2{range, aside}, Vec2{range, -aside - 0.05 * range});
+  }
+  EXPECT_NEAR(axis.direction().y, 0.0, 1e-9);
+}
+
 TEST(RoadAxis, PartsAreOrderedFromTheAxisOutward) {
   const LowRing ring = ring_of(10.0);
   for (const bool front : {true, false}) {
