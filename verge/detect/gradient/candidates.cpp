@@ -153,7 +153,7 @@ LayerClusters cluster_layer(const Layer& layer, const GradientPoints& points, co
   }
   const std::vector<cluster::PointRun> runs =
       cluster::gap_separated_runs(p.size(), d, gap_thresholds(layer, p, config));
-  const bool by_kmeans = config.clustering == Clustering::kKMeans;
+  const bool by_kmeans = config.clustering == Clustering::kKMeans && runs.size() > 1;
   auto clusters = by_kmeans ? kmeans_clusters(p, cluster::run_means(p, runs)) : members_of(runs);
   return {runs.size(), large_ones(std::move(clusters), config.points_min)};
 }
