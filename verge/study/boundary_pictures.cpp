@@ -120,18 +120,19 @@ std::string about(const Cell& cell, const Scan& scan) {
       scan.frame, set);
 }
 
-/// None where nobody says boundaries, or a labelled set does not have the scan.
-Expected<std::optional<Gallery>> gallery_of(const Results& results, const Cell& cell,
-                                            const RoadFigure& figure) {
+/// Adds none where nobody says boundaries, or a labelled set does not have the scan.
+Expected<void> add_gallery(const Results& results, const Cell& cell, const RoadFigure& figure,
+                           std::vector<Gallery>& galleries) {
   const auto wanted = wanted_of(cell, figure);
-  if (!wanted) return std::optional<Gallery>();
+  if (!wanted) return {};
   const auto views = views_of(results, cell, *wanted);
   if (!views) return Unexpected(views.error());
-  if (views->empty()) return std::optional<Gallery>();
+  if (views->empty()) return {};
   auto pictures = pictures_of(*views, figure.bend);
   if (!pictures) return Unexpected(std::move(pictures).error());
-  return Gallery{fmt::format("Figures of paper 3: {}", figure.title),
-                 about(cell, views->front().seen.frame.scan), *std::move(pictures)};
+  galleries.push_back({fmt::format("Figures of paper 3: {}", figure.title),
+                       about(cell, views->front().seen.frame.scan), *std::move(pictures)});
+  return {};
 }
 
 }  // namespace
@@ -141,9 +142,8 @@ Expected<std::vector<Gallery>> boundary_galleries(const Results& results) {
   for (const RoadFigure& figure : results.suite.road_figures) {
     const auto cell = std::ranges::find(results.suite.cells, figure.cell, &Cell::name);
     if (cell == results.suite.cells.end()) continue;
-    auto gallery = gallery_of(results, *cell, figure);
-    if (!gallery) return Unexpected(std::move(gallery).error());
-    if (*gallery) galleries.push_back(**std::move(gallery));
+    auto added = add_gallery(results, *cell, figure, galleries);
+    if (!added) return Unexpected(std::move(added).error());
   }
   return galleries;
 }
