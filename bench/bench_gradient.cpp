@@ -38,26 +38,12 @@ struct Revolution {
   std::vector<Strand> strands;
 };
 
-std::vector<Strand> strands_of(const std::vector<ScanLine>& lines, double height_m) {
-  std::vector<Chain> chains;
-  for (const Quadrant region : kQuadrants) {
-    std::vector<Candidate> candidates;
-    for (const ScanLine& line : lines) {
-      if (line.layer.region == region && line.candidate) candidates.push_back(*line.candidate);
-    }
-    for (Chain& chain : link_layers(region, candidates, height_m, kConfig)) chains.push_back(chain);
-  }
-  std::vector<Strand> strands = join_front_and_rear(chains, false, height_m, kConfig);
-  for (const Strand& right : join_front_and_rear(chains, true, height_m, kConfig)) strands.push_back(right);
-  return strands;
-}
-
 Revolution revolution_of(Scan scan) {
   const LevelFrame frame(*scan.mount);
   auto low = height_gate(scan, frame, kConfig);
   const Obstacles obstacles(low, kConfig);
   auto lines = scan_lines(low, obstacles, kConfig);
-  auto strands = strands_of(lines, scan.mount->height_m);
+  auto strands = denoise(lines, scan.mount->height_m, kConfig);
   return {std::move(scan), frame, std::move(low), obstacles, std::move(lines), std::move(strands)};
 }
 
@@ -138,7 +124,7 @@ void add_all() {
         return first_outward(line.layer, line.points, line.clusters, one.obstacles, kConfig);
       }));
   add("II-1 (3) adjacent layers", [](const Revolution& one) {
-    benchmark::DoNotOptimize(strands_of(one.lines, one.scan.mount->height_m));
+    benchmark::DoNotOptimize(denoise(one.lines, one.scan.mount->height_m, kConfig));
   });
   add("III line or B-spline",
       [](const Revolution& one) { benchmark::DoNotOptimize(fit_boundaries(one.strands, kConfig)); });

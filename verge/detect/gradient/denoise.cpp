@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace verge::detect::gradient {
 namespace {
@@ -188,6 +189,19 @@ std::vector<Strand> join_front_and_rear(const std::vector<Chain>& chains, bool r
     if (chain != nullptr) strands.push_back(strand_of(chain, nullptr, right));
   }
   std::erase_if(strands, [&](const Strand& s) { return s.obstacle && !is_wall(s, config); });
+  return strands;
+}
+
+std::vector<Strand> denoise(const std::vector<ScanLine>& lines, double height_m,
+                            const GradientConfig& config) {
+  std::vector<Chain> chains;
+  for (const Quadrant region : kQuadrants) {
+    for (Chain& chain : link_layers(region, candidates_in(lines, region), height_m, config))
+      chains.push_back(std::move(chain));
+  }
+  std::vector<Strand> strands = join_front_and_rear(chains, false, height_m, config);
+  for (Strand& right : join_front_and_rear(chains, true, height_m, config))
+    strands.push_back(std::move(right));
   return strands;
 }
 

@@ -8,6 +8,7 @@
 #include "verge/detect/gradient/candidates.hpp"
 #include "verge/detect/gradient/gradient.hpp"
 #include "verge/detect/gradient/regions.hpp"
+#include "verge/detect/gradient/scan_lines.hpp"
 
 namespace verge::detect::gradient {
 
@@ -40,5 +41,10 @@ struct Strand {
 /// of those that should may be missing at either end. Obstacles stay only where they are as long as a wall.
 [[nodiscard]] std::vector<Strand> join_front_and_rear(const std::vector<Chain>& chains, bool right,
                                                       double height_m, const GradientConfig& config);
+
+/// II-1 (3), fixed reading, whole: boundary points of adjacent layers linked, front and rear joined, noise
+/// dropped. Left strands first.
+[[nodiscard]] std::vector<Strand> denoise(const std::vector<ScanLine>& lines, double height_m,
+                                          const GradientConfig& config);
 
 }  // namespace verge::detect::gradient

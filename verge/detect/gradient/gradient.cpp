@@ -11,29 +11,12 @@
 #include "verge/detect/gradient/obstacles.hpp"
 #include "verge/detect/gradient/recorder.hpp"
 #include "verge/detect/gradient/scan_lines.hpp"
+#include "verge/detect/scan_scene.hpp"
 
 namespace verge::detect {
 namespace {
 
 using namespace gradient;  // NOLINT(google-build-using-namespace): the method's own steps, all of them
-
-/// II-1 (3), fixed reading: boundary points of adjacent layers linked, front and rear joined, noise dropped.
-std::vector<Strand> denoise(const std::vector<ScanLine>& lines, double height_m, const GradientConfig& config,
-                            Recorder& record) {
-  std::vector<Chain> chains;
-  for (const Quadrant region : kQuadrants) {
-    std::vector<Candidate> candidates;
-    for (const ScanLine& line : lines) {
-      if (line.layer.region == region && line.candidate) candidates.push_back(*line.candidate);
-    }
-    record.candidates(region, candidates);
-    for (Chain& chain : link_layers(region, candidates, height_m, config)) chains.push_back(std::move(chain));
-  }
-  std::vector<Strand> strands = join_front_and_rear(chains, false, height_m, config);
-  for (Strand& right : join_front_and_rear(chains, true, height_m, config))
-    strands.push_back(std::move(right));
-  return strands;
-}
 
 /// III, paper reading: all points of a side's clusters make one boundary.
 std::vector<Fitted> fit_sides_as_printed(const std::vector<ScanLine>& lines, const GradientConfig& config) {
@@ -53,15 +36,8 @@ std::vector<Fitted> fit_sides_as_printed(const std::vector<ScanLine>& lines, con
 
 /// The boundaries back in the sensor's frame, numbered from 0, left ones first.
 Scene scene_of(const Scan& scan, const LevelFrame& frame, std::vector<Fitted> fitted) {
-  Scene scene;
-  scene.frame = scan.frame;
-  scene.stamp_ns = scan.stamp_ns;
-  scene.frame_id = scan.frame_id;
-  for (Fitted& f : fitted) {
-    f.boundary.id = static_cast<int>(scene.boundaries.size());
-    for (Vec3& p : f.boundary.points) p = frame.to_sensor(p);
-    scene.boundaries.push_back(std::move(f.boundary));
-  }
+  Scene scene = scene_about(scan);
+  for (Fitted& f : fitted) add_boundary(scene, std::move(f.boundary), frame);
   return scene;
 }
 
@@ -80,12 +56,13 @@ Scene Gradient::process(const Scan& scan, Trace* trace) {
   std::vector<Fitted> fitted;
   if (config_.reading == Reading::kPaper) {
     const auto lines = scan_lines_as_printed(low, config_);  // II-1 (2), (3)
-    for (const ScanLine& line : lines) record.scan_line(line.layer, line.points, line.clusters);
+    record.scan_lines(lines);
     fitted = fit_sides_as_printed(lines, config_);  // III
   } else {
     const auto lines = scan_lines(low, Obstacles(low, config_), config_);  // II-1 (2), (3)
-    for (const ScanLine& line : lines) record.scan_line(line.layer, line.points, line.clusters);
-    const auto strands = denoise(lines, mount.height_m, config_, record);  // II-1 (3)
+    record.scan_lines(lines);
+    record.candidates(lines);
+    const auto strands = denoise(lines, mount.height_m, config_);  // II-1 (3)
     record.strands(strands);
     fitted = fit_boundaries(strands, config_);  // III, line or cubic B-spline
   }

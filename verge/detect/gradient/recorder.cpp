@@ -31,18 +31,22 @@ void Recorder::low(const std::vector<LowRing>& rings) {
   }
 }
 
-void Recorder::scan_line(const Layer& layer, const GradientPoints& points, const LayerClusters& clusters) {
+void Recorder::scan_lines(const std::vector<ScanLine>& lines) {
   if (trace_ == nullptr) return;
-  Trace::Points& gradient = points_named("gradient points");
-  for (const std::size_t index : points.index)
-    add(gradient, layer.points[index], static_cast<int>(layer.region));
-  values_named("K").values.push_back(static_cast<double>(clusters.K));
+  for (const ScanLine& line : lines) {
+    Trace::Points& gradient = points_named("gradient points");
+    for (const std::size_t index : line.points.index)
+      add(gradient, line.layer.points[index], static_cast<int>(line.layer.region));
+    values_named("K").values.push_back(static_cast<double>(line.clusters.K));
+  }
 }
 
-void Recorder::candidates(Quadrant region, const std::vector<Candidate>& candidates) {
+void Recorder::candidates(const std::vector<ScanLine>& lines) {
   if (trace_ == nullptr) return;
   Trace::Points& layer = points_named("candidates");
-  for (const Candidate& c : candidates) add(layer, c.foot, static_cast<int>(region));
+  for (const Quadrant region : kQuadrants) {
+    for (const Candidate& c : candidates_in(lines, region)) add(layer, c.foot, static_cast<int>(region));
+  }
 }
 
 void Recorder::strands(const std::vector<Strand>& strands) {

@@ -8,6 +8,7 @@
 #include "verge/detect/gradient/candidates.hpp"
 #include "verge/detect/gradient/denoise.hpp"
 #include "verge/detect/gradient/regions.hpp"
+#include "verge/detect/gradient/scan_lines.hpp"
 #include "verge/model/trace.hpp"
 #include "verge/scan/mount.hpp"
 
@@ -20,8 +21,8 @@ class Recorder {
   Recorder(Trace* trace, const LevelFrame& frame) : trace_(trace), frame_(frame) {}
 
   void low(const std::vector<LowRing>& rings);
-  void scan_line(const Layer& layer, const GradientPoints& points, const LayerClusters& clusters);
-  void candidates(Quadrant region, const std::vector<Candidate>& candidates);
+  void scan_lines(const std::vector<ScanLine>& lines);
+  void candidates(const std::vector<ScanLine>& lines);
   void strands(const std::vector<Strand>& strands);
   void fitted(const std::vector<Fitted>& fitted);
 

@@ -62,4 +62,12 @@ std::vector<ScanLine> scan_lines(const std::vector<LowRing>& low, const Obstacle
   return lines;
 }
 
+std::vector<Candidate> candidates_in(const std::vector<ScanLine>& lines, Quadrant region) {
+  std::vector<Candidate> candidates;
+  for (const ScanLine& line : lines) {
+    if (line.layer.region == region && line.candidate) candidates.push_back(*line.candidate);
+  }
+  return candidates;
+}
+
 }  // namespace verge::detect::gradient

@@ -31,4 +31,7 @@ struct ScanLine {
 [[nodiscard]] std::vector<ScanLine> scan_lines_as_printed(const std::vector<LowRing>& low,
                                                           const GradientConfig& config);
 
+/// The boundary points in one region, in the order of the lines.
+[[nodiscard]] std::vector<Candidate> candidates_in(const std::vector<ScanLine>& lines, Quadrant region);
+
 }  // namespace verge::detect::gradient

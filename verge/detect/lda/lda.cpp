@@ -9,6 +9,7 @@
 #include "verge/core/field_io.hpp"
 #include "verge/detect/lda/edges.hpp"
 #include "verge/detect/lda/windows.hpp"
+#include "verge/detect/scan_scene.hpp"
 #include "verge/scan/mount.hpp"
 #include "verge/scan/quadrants.hpp"
 
@@ -52,15 +53,8 @@ std::vector<SideFit> fit_sides(const std::vector<QuadrantRing>& rings, const std
 
 /// The boundaries back in the sensor's frame, numbered from 0.
 Scene scene_of(const Scan& scan, const LevelFrame& frame, const std::vector<SideFit>& sides) {
-  Scene scene;
-  scene.frame = scan.frame;
-  scene.stamp_ns = scan.stamp_ns;
-  scene.frame_id = scan.frame_id;
-  for (const SideFit& side : sides) {
-    scene.boundaries.push_back(side.boundary);
-    scene.boundaries.back().id = static_cast<int>(scene.boundaries.size()) - 1;
-    for (Vec3& p : scene.boundaries.back().points) p = frame.to_sensor(p);
-  }
+  Scene scene = scene_about(scan);
+  for (const SideFit& side : sides) add_boundary(scene, side.boundary, frame);
   return scene;
 }
 

@@ -23,11 +23,10 @@ std::vector<double> gap_thresholds(const QuadrantRing& ring, const LdaConfig& co
   return m;
 }
 
-std::vector<double> planar_distances(const QuadrantRing& ring) {
-  std::vector<double> d;
-  for (std::size_t i = 1; i < ring.points.size(); ++i)
-    d.push_back(distance(ring.points[i - 1].xy(), ring.points[i].xy()));
-  return d;
+std::vector<Vec2> in_plane(const QuadrantRing& ring) {
+  std::vector<Vec2> plane;
+  for (const Vec3 p : ring.points) plane.push_back(p.xy());
+  return plane;
 }
 
 }  // namespace
@@ -64,7 +63,7 @@ std::vector<Window> windows_of(const QuadrantRing& ring, double height_m, const 
   const auto size = static_cast<std::size_t>(config.window);
   std::vector<Window> windows;
   for (const cluster::PointRun& piece : cluster::gap_separated_runs(
-           ring.points.size(), planar_distances(ring), gap_thresholds(ring, config))) {
+           ring.points.size(), cluster::adjacent_distances(in_plane(ring)), gap_thresholds(ring, config))) {
     for (std::size_t i = piece.begin; i + size <= piece.end; ++i) {
       windows.push_back({i + size / 2, features_of(std::span(ring.points).subspan(i, size), height_m)});
     }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "verge/core/statistics.hpp"
+#include "verge/detect/scan_scene.hpp"
 
 namespace verge::detect::line_fit {
 namespace {
@@ -107,10 +108,7 @@ Boundary boundary_of(const Edge& edge, Side side, std::span<const LayerPoint> po
 Scene scene_of(const Scan& scan, std::span<const LayerPoint> points, const RoadEdges& edges,
                std::span<const FoundObject> found, const LevelFrame& frame, const Mount& mount,
                const LineFitConfig& config) {
-  Scene scene;
-  scene.frame = scan.frame;
-  scene.stamp_ns = scan.stamp_ns;
-  scene.frame_id = scan.frame_id;
+  Scene scene = scene_about(scan);
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const auto& edge = side == Side::kLeft ? edges.left : edges.right;
     if (!edge) continue;

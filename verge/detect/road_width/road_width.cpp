@@ -19,6 +19,7 @@
 #include "verge/detect/road_width/layers.hpp"
 #include "verge/detect/road_width/road_lines.hpp"
 #include "verge/detect/road_width/width_corners.hpp"
+#include "verge/detect/scan_scene.hpp"
 
 namespace verge::detect {
 
@@ -131,10 +132,7 @@ Pose level_pose(const Pose& T_world_sensor, const Mount& mount) {
 /// `corners` are in the level frame.
 Scene scene_of(const Scan& scan, const std::vector<Road>& roads, std::vector<Corner> corners,
                const LevelFrame& frame) {
-  Scene scene;
-  scene.frame = scan.frame;
-  scene.stamp_ns = scan.stamp_ns;
-  scene.frame_id = scan.frame_id;
+  Scene scene = scene_about(scan);
   for (const Side side : {Side::kLeft, Side::kRight}) {
     auto boundary = boundary_of(roads, side, frame);
     if (!boundary) continue;
