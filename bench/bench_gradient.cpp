@@ -47,27 +47,46 @@ Revolution revolution_of(Scan scan) {
   return {std::move(scan), frame, std::move(low), obstacles, std::move(lines), std::move(strands)};
 }
 
-std::vector<Revolution> revolutions() {
+std::vector<Revolution> revolutions_on(const char* scenario) {
   constexpr std::size_t kScans = 10;
   std::vector<Revolution> all;
-  for (const char* scenario : {"paper3-13m-straight", "paper3-6m-curved"}) {
-    const sim::Drive drive({.scenario = sim::ready_scenario(scenario),
-                            .sensor = sim::sensor_named("hdl32e"),
-                            .noise = {.seed = 1, .range_sigma_m = 0.02}});
-    for (std::size_t i = 0; i < kScans; ++i) {
-      sim::Simulated simulated = drive.scan(i);
-      Scan scan = deskew(std::move(simulated.scan));
-      scan.mount = simulated.mount;
-      all.push_back(revolution_of(std::move(scan)));
-    }
+  const sim::Drive drive({.scenario = sim::ready_scenario(scenario),
+                          .sensor = sim::sensor_named("hdl32e"),
+                          .noise = {.seed = 1, .range_sigma_m = 0.02}});
+  for (std::size_t i = 0; i < kScans; ++i) {
+    sim::Simulated simulated = drive.scan(i);
+    Scan scan = deskew(std::move(simulated.scan));
+    scan.mount = simulated.mount;
+    all.push_back(revolution_of(std::move(scan)));
   }
+  return all;
+}
+
+using Revolutions = std::function<const std::vector<Revolution>&()>;
+
+/// Made when they are first asked for.
+const std::vector<Revolution>& straight_road() {
+  static const std::vector<Revolution> all = revolutions_on("paper3-13m-straight");
+  return all;
+}
+
+const std::vector<Revolution>& curved_road() {
+  static const std::vector<Revolution> all = revolutions_on("paper3-6m-curved");
+  return all;
+}
+
+const std::vector<Revolution>& both_roads() {
+  static const std::vector<Revolution> all = [] {
+    std::vector<Revolution> both = straight_road();
+    both.insert(both.end(), curved_road().begin(), curved_road().end());
+    return both;
+  }();
   return all;
 }
 
 using Step = std::function<void(const Revolution&)>;
 
-void measure(benchmark::State& state, const Step& step) {
-  static const std::vector<Revolution> all = revolutions();
+void measure(benchmark::State& state, const std::vector<Revolution>& all, const Step& step) {
   Floor floor;
   std::vector<double> ours;
   std::vector<double> floors;
@@ -91,8 +110,8 @@ void measure(benchmark::State& state, const Step& step) {
   state.counters["floor_ns_a_point"] = 1e9 * typical(floors) / points;
 }
 
-void add(const char* name, const Step& step) {
-  benchmark::RegisterBenchmark(name, [=](benchmark::State& state) { measure(state, step); })
+void add(const char* name, const Step& step, const Revolutions& revolutions = both_roads) {
+  benchmark::RegisterBenchmark(name, [=](benchmark::State& state) { measure(state, revolutions(), step); })
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond);
 }
@@ -128,9 +147,12 @@ void add_all() {
   });
   add("III line or B-spline",
       [](const Revolution& one) { benchmark::DoNotOptimize(fit_boundaries(one.strands, kConfig)); });
-  add("gradient, all steps", [](const Revolution& one) {
+  const Step all_steps = [](const Revolution& one) {
     benchmark::DoNotOptimize(detect::Gradient(kConfig).process(one.scan, nullptr));
-  });
+  };
+  add("gradient, all steps", all_steps);
+  add("gradient, all steps, straight road", all_steps, straight_road);  // lines alone
+  add("gradient, all steps, curved road", all_steps, curved_road);      // B-splines alone
 }
 
 }  // namespace

@@ -34,12 +34,6 @@ void substitute_back(const BandedMatrix& a, std::vector<Vec2>& b) {
 BandedMatrix::BandedMatrix(std::size_t size, std::size_t half_bandwidth)
     : size_(size), half_bandwidth_(half_bandwidth), entries_(size * (2 * half_bandwidth + 1), 0.0) {}
 
-std::size_t BandedMatrix::index(std::size_t row, std::size_t column) const {
-  assert(row < size_ && column < size_);
-  assert(row <= column + half_bandwidth_ && column <= row + half_bandwidth_);
-  return row * (2 * half_bandwidth_ + 1) + half_bandwidth_ + column - row;
-}
-
 std::optional<std::vector<Vec2>> solve(BandedMatrix a, std::vector<Vec2> b) {
   assert(b.size() == a.size());
   double greatest = 0.0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -22,7 +23,11 @@ class BandedMatrix {
   [[nodiscard]] double at(std::size_t row, std::size_t column) const { return entries_[index(row, column)]; }
 
  private:
-  [[nodiscard]] std::size_t index(std::size_t row, std::size_t column) const;
+  [[nodiscard]] std::size_t index(std::size_t row, std::size_t column) const {
+    assert(row < size_ && column < size_);
+    assert(row <= column + half_bandwidth_ && column <= row + half_bandwidth_);
+    return row * (2 * half_bandwidth_ + 1) + half_bandwidth_ + column - row;
+  }
 
   std::size_t size_;
   std::size_t half_bandwidth_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace verge::fit {
 namespace {
@@ -35,6 +36,31 @@ std::size_t span_of(std::span<const double> t, std::size_t degree, double u) {
   return k;
 }
 
+/// The basis functions of span k at its parameter u.
+BasisRow basis_in_span(std::span<const double> t, std::size_t degree, std::size_t k, double u) {
+  BasisRow row{.first = k - degree};
+  row.values[0] = 1.0;  // of order 1; the order grows by one a turn (Piegl and Tiller, algorithm A2.2)
+  for (std::size_t order = 1; order <= degree; ++order) {
+    double saved = 0.0;
+    for (std::size_t r = 0; r < order; ++r) {
+      const double right = t[k + r + 1] - u;
+      const double left = u - t[k + 1 + r - order];
+      const double share = ratio(row.values[r], right + left);
+      row.values[r] = saved + right * share;
+      saved = left * share;
+    }
+    row.values[order] = saved;
+  }
+  return row;
+}
+
+Vec2 combine(const BasisRow& row, const BSpline& curve) {
+  Vec2 point;
+  for (std::size_t j = 0; j <= curve.degree; ++j)
+    point = point + row.values[j] * curve.control_points[row.first + j];
+  return point;
+}
+
 constexpr int kPiecesForLength = 32;  // the length is then good to 1e-4 where one span bends by 90 degrees
 constexpr int kPiecesForFeet = 16;    // only the start of an iteration
 
@@ -48,26 +74,31 @@ struct Table {
 /// `pieces` chords a span.
 Table tabulate(const BSpline& curve, int pieces) {
   Table table;
-  const auto add = [&](double u) {
-    const Vec2 p = evaluate(curve, u);
+  const std::size_t most = curve.control_points.size() * static_cast<std::size_t>(pieces);
+  table.u.reserve(most);
+  table.points.reserve(most);
+  table.s.reserve(most);
+  const auto add = [&](double u, Vec2 p) {
     table.s.push_back(table.s.empty() ? 0.0 : table.s.back() + distance(table.points.back(), p));
     table.u.push_back(u);
     table.points.push_back(p);
   };
   const auto& t = curve.knots;
-  add(t[curve.degree]);
+  add(t[curve.degree], evaluate(curve, t[curve.degree]));
   for (std::size_t k = curve.degree; k + 1 + curve.degree < t.size(); ++k) {
     if (t[k] == t[k + 1]) continue;
-    for (int piece = 1; piece < pieces; ++piece) add(t[k] + (t[k + 1] - t[k]) * piece / pieces);
-    add(t[k + 1]);
+    for (int piece = 1; piece < pieces; ++piece) {
+      const double u = t[k] + (t[k + 1] - t[k]) * piece / pieces;
+      add(u, combine(basis_in_span(t, curve.degree, k, u), curve));
+    }
+    add(t[k + 1], evaluate(curve, t[k + 1]));
   }
   return table;
 }
 
 /// The value of `to` where `from`, ascending, has the value x: linear between the entries, constant beyond
-/// them.
-double interpolated(std::span<const double> from, std::span<const double> to, double x) {
-  const auto above = static_cast<std::size_t>(std::ranges::lower_bound(from, x) - from.begin());
+/// them. `above`: the first entry of `from` that is not less than x.
+double interpolated(std::span<const double> from, std::span<const double> to, double x, std::size_t above) {
   const std::size_t k = std::clamp(above, std::size_t{1}, from.size() - 1);
   const double share = std::clamp(ratio(x - from[k - 1], from[k] - from[k - 1]), 0.0, 1.0);
   return to[k - 1] + share * (to[k] - to[k - 1]);
@@ -78,16 +109,27 @@ double interpolated(std::span<const double> from, std::span<const double> to, do
 /// closer.
 double nearest_on_polyline(const Table& table, Vec2 p) {
   double best_u = table.u.front();
-  double best = dot(p - table.points.front(), p - table.points.front());
+  double best = std::numeric_limits<double>::infinity();
+  const auto offer = [&](double squared, double u) {
+    if (!(squared < best)) return;
+    best = squared;
+    best_u = u;
+  };
   for (std::size_t k = 1; k < table.points.size(); ++k) {
     const Vec2 chord = table.points[k] - table.points[k - 1];
     const Vec2 offset = p - table.points[k - 1];
-    const double share = std::clamp(ratio(dot(offset, chord), dot(chord, chord)), 0.0, 1.0);
-    const Vec2 gap = offset - share * chord;
-    if (!(dot(gap, gap) < best)) continue;
-    best = dot(gap, gap);
-    best_u = table.u[k - 1] + share * (table.u[k] - table.u[k - 1]);
+    const double along = dot(offset, chord);
+    const double whole = dot(chord, chord);
+    if (along <= 0.0) {
+      offer(dot(offset, offset), table.u[k - 1]);
+    } else if (along < whole) {  // beyond lies the next segment's first vertex
+      const double share = along / whole;
+      const Vec2 gap = offset - share * chord;
+      offer(dot(gap, gap), table.u[k - 1] + share * (table.u[k] - table.u[k - 1]));
+    }
   }
+  const Vec2 last = p - table.points.back();
+  offer(dot(last, last), table.u.back());
   return best_u;
 }
 
@@ -123,29 +165,11 @@ BasisRow basis_row(std::span<const double> t, std::size_t degree, double u) {
   assert(degree <= kMaxDegree && t.size() >= 2 * (degree + 1));
   const Domain d = domain(t, degree);
   u = std::clamp(u, d.from, d.to);
-  const std::size_t k = span_of(t, degree, u);
-  BasisRow row{.first = k - degree};
-  row.values[0] = 1.0;  // of order 1; the order grows by one a turn (Piegl and Tiller, algorithm A2.2)
-  for (std::size_t order = 1; order <= degree; ++order) {
-    double saved = 0.0;
-    for (std::size_t r = 0; r < order; ++r) {
-      const double right = t[k + r + 1] - u;
-      const double left = u - t[k + 1 + r - order];
-      const double share = ratio(row.values[r], right + left);
-      row.values[r] = saved + right * share;
-      saved = left * share;
-    }
-    row.values[order] = saved;
-  }
-  return row;
+  return basis_in_span(t, degree, span_of(t, degree, u), u);
 }
 
 Vec2 evaluate(const BSpline& curve, double u) {
-  const BasisRow row = basis_row(curve.knots, curve.degree, u);
-  Vec2 point;
-  for (std::size_t j = 0; j <= curve.degree; ++j)
-    point = point + row.values[j] * curve.control_points[row.first + j];
-  return point;
+  return combine(basis_row(curve.knots, curve.degree, u), curve);
 }
 
 BSpline derivative(const BSpline& curve) {
@@ -168,8 +192,12 @@ std::vector<Vec2> sample(const BSpline& curve, double step_m) {
       1e-9;  // a length that rounding put just above a multiple of the step is that multiple
   const double pieces = std::max(1.0, std::ceil(total / step_m - kSlack));
   std::vector<Vec2> out{table.points.front()};
-  for (std::size_t k = 1; k < static_cast<std::size_t>(pieces); ++k)
-    out.push_back(evaluate(curve, interpolated(table.s, table.u, total * (static_cast<double>(k) / pieces))));
+  std::size_t above = 0;
+  for (std::size_t k = 1; k < static_cast<std::size_t>(pieces); ++k) {
+    const double s = total * (static_cast<double>(k) / pieces);
+    while (above < table.s.size() && table.s[above] < s) ++above;
+    out.push_back(evaluate(curve, interpolated(table.s, table.u, s, above)));
+  }
   out.push_back(table.points.back());
   return out;
 }
@@ -177,7 +205,10 @@ std::vector<Vec2> sample(const BSpline& curve, double step_m) {
 std::vector<double> arc_lengths(const BSpline& curve, std::span<const double> parameters) {
   const Table table = tabulate(curve, kPiecesForLength);
   std::vector<double> s(parameters.size());
-  std::ranges::transform(parameters, s.begin(), [&](double u) { return interpolated(table.u, table.s, u); });
+  std::ranges::transform(parameters, s.begin(), [&](double u) {
+    const auto above = static_cast<std::size_t>(std::ranges::lower_bound(table.u, u) - table.u.begin());
+    return interpolated(table.u, table.s, u, above);
+  });
   return s;
 }
 

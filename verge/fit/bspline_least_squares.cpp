@@ -140,11 +140,11 @@ std::optional<Stations> parameters_of(std::vector<double> s, std::span<const dou
 /// By the points' principal axis: points that lie aside of the curve do not disturb it, as they would the
 /// length of a path through the points.
 std::optional<Stations> along_axis(std::span<const Vec2> points, std::span<const double> weights) {
-  const auto axis = fit_line(points, weights);
+  const auto axis = orthogonal_line(points, weights);
   if (!axis) return std::nullopt;
-  const double sense = station(axis->line, points.front()) <= station(axis->line, points.back()) ? 1.0 : -1.0;
+  const double sense = station(*axis, points.front()) <= station(*axis, points.back()) ? 1.0 : -1.0;
   std::vector<double> s(points.size());
-  std::ranges::transform(points, s.begin(), [&](Vec2 p) { return sense * station(axis->line, p); });
+  std::ranges::transform(points, s.begin(), [&](Vec2 p) { return sense * station(*axis, p); });
   return parameters_of(std::move(s), weights);
 }
 
@@ -209,6 +209,22 @@ std::optional<WeightedCurve> solve_round(const Problem& problem, const Stations&
   return best;
 }
 
+/// Both rounds, by the axis and by the course.
+std::optional<WeightedCurve> solve_rounds(const Problem& problem) {
+  const SplineFitOptions& options = problem.options;
+  assert(options.degree >= 1 && options.degree <= kMaxDegree && options.span_m > 0.0);
+  const std::span<const Vec2> points = problem.points;
+  const auto axis = along_axis(points, problem.weights);
+  if (!axis) return std::nullopt;
+  auto fit = solve_round(problem, *axis, weights_or_ones(problem.weights, points.size()), 0);
+  if (!fit) return std::nullopt;
+  const int after_start = options.robust ? options.robust->start_iterations : 0;
+  if (const auto course = along_curve(fit->curve, points, fit->weights)) {
+    if (auto again = solve_round(problem, *course, fit->weights, after_start)) fit = std::move(again);
+  }
+  return fit;
+}
+
 }  // namespace
 
 std::optional<BSpline> least_squares_spline(std::span<const Vec2> points, std::span<const double> weights,
@@ -220,18 +236,17 @@ std::optional<BSpline> least_squares_spline(std::span<const Vec2> points, std::s
 
 std::optional<SplineFit> fit_spline(std::span<const Vec2> points, const SplineFitOptions& options,
                                     std::span<const double> weights) {
-  assert(options.degree >= 1 && options.degree <= kMaxDegree && options.span_m > 0.0);
-  const auto axis = along_axis(points, weights);
-  if (!axis) return std::nullopt;
-  const Problem problem{points, weights, options};
-  auto fit = solve_round(problem, *axis, weights_or_ones(weights, points.size()), 0);
+  auto fit = solve_rounds({points, weights, options});
   if (!fit) return std::nullopt;
-  const int after_start = options.robust ? options.robust->start_iterations : 0;
-  if (const auto course = along_curve(fit->curve, points, fit->weights)) {
-    if (auto again = solve_round(problem, *course, fit->weights, after_start)) fit = std::move(again);
-  }
   auto residuals = summarise(orthogonal_residuals(fit->curve, points), weights);
   return SplineFit{std::move(fit->curve), std::move(residuals), std::move(fit->weights)};
+}
+
+std::optional<BSpline> spline_near(std::span<const Vec2> points, const SplineFitOptions& options,
+                                   std::span<const double> weights) {
+  auto fit = solve_rounds({points, weights, options});
+  if (!fit) return std::nullopt;
+  return std::move(fit->curve);
 }
 
 }  // namespace verge::fit

@@ -53,4 +53,9 @@ struct SplineFit {
                                                   const SplineFitOptions& options = {},
                                                   std::span<const double> weights = {});
 
+/// The curve of fit_spline alone, for those who need no residuals: finding the points' feet is a third of it.
+[[nodiscard]] std::optional<BSpline> spline_near(std::span<const Vec2> points,
+                                                 const SplineFitOptions& options = {},
+                                                 std::span<const double> weights = {});
+
 }  // namespace verge::fit

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <random>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -152,6 +154,18 @@ TEST(SplineFit, DensePointsThatZigzagDoNotStretchTheParameters) {
   EXPECT_LT(error_of(fit.curve), 0.006);
   EXPECT_NEAR(fit.residuals.rms_m, 0.02, 0.001);
   EXPECT_NEAR(fit.residuals.p95_m, 0.0392, 0.002);
+}
+
+TEST(SplineFit, TheCurveAloneIsThatOfTheFit) {
+  const auto points = noisy_course(0.4, 0.05, 3);
+  for (const auto& robust : {std::optional<RobustOptions>{}, std::optional(RobustOptions{})}) {
+    const SplineFitOptions options{.robust = robust};
+    const auto fit = fit_spline(points, options).value();
+    const auto alone = spline_near(points, options).value();
+    EXPECT_EQ(alone.knots, fit.curve.knots);
+    EXPECT_EQ(alone.control_points, fit.curve.control_points);
+  }
+  EXPECT_FALSE(spline_near(std::span(points).first(1)));
 }
 
 TEST(SplineFit, RobustFitIgnoresAWallBehindTheKerb) {

@@ -80,12 +80,12 @@ std::vector<double> smoothed_curvature(std::span<const Vec2> points, double wind
   return k;
 }
 
-std::vector<std::size_t> smoothed_key_points(std::span<const Vec2> points, double window_m) {
-  const std::vector<double> k = smoothed_curvature(points, window_m);
+std::vector<std::size_t> smoothed_key_points(std::span<const Vec2> points, std::span<const double> curvature,
+                                             double window_m) {
   const std::vector<double> s = arc_lengths(points);
-  const double k_avg = mean(between_the_ends(k)).value_or(0.0);
+  const double k_avg = mean(between_the_ends(curvature)).value_or(0.0);
   return with_ends(points.size(), [&](std::size_t i) {
-    return k[i] > 0.0 && k[i] >= k_avg && is_first_peak(k, s, i, 0.5 * window_m);
+    return curvature[i] > 0.0 && curvature[i] >= k_avg && is_first_peak(curvature, s, i, 0.5 * window_m);
   });
 }
 

@@ -37,7 +37,10 @@ struct Circle {
 [[nodiscard]] std::vector<double> smoothed_curvature(std::span<const Vec2> points, double window_m);
 
 /// Key points by smoothed_curvature (ours): where it is at least k_avg, not 0, and the greatest within
-/// window_m / 2 to either side (of equals, the first). Both ends are added. Indices into `points`, ascending.
-[[nodiscard]] std::vector<std::size_t> smoothed_key_points(std::span<const Vec2> points, double window_m);
+/// window_m / 2 to either side (of equals, the first). Both ends are added. `curvature`: smoothed_curvature
+/// of the points over the same window. Indices into `points`, ascending.
+[[nodiscard]] std::vector<std::size_t> smoothed_key_points(std::span<const Vec2> points,
+                                                           std::span<const double> curvature,
+                                                           double window_m);
 
 }  // namespace verge::fit

@@ -32,6 +32,10 @@ std::vector<Vec2> line_then_arc(double sigma, std::uint32_t seed) {
   return points;
 }
 
+std::vector<std::size_t> smoothed_keys(std::span<const Vec2> points, double window_m) {
+  return smoothed_key_points(points, smoothed_curvature(points, window_m), window_m);
+}
+
 TEST(Curvature, TheCircleThroughThreePointsHasThemAllAtItsRadius) {
   const auto circle = circle_through({5.0, 2.0}, {1.0, 6.0}, {-3.0, 2.0}).value();
   EXPECT_NEAR(circle.centre.x, 1.0, 1e-14);
@@ -130,20 +134,19 @@ TEST(KeyPoints, SmoothedOnesStandOnTheBendWhereThePapersFollowTheNoise) {
     return on_arc / total;
   };
   const double paper = share_on_the_arc([](const auto& points) { return key_points(curvature(points)); });
-  const double smoothed =
-      share_on_the_arc([](const auto& points) { return smoothed_key_points(points, 2.0); });
+  const double smoothed = share_on_the_arc([](const auto& points) { return smoothed_keys(points, 2.0); });
   EXPECT_LT(paper, 0.60);  // about half of the course is arc: the noise decides
   EXPECT_GT(smoothed, 0.95);
 }
 
 TEST(KeyPoints, SmoothedOnesOfAnExactLineAreItsEnds) {
   const auto line = line_then_arc(0.0, 0);
-  EXPECT_EQ(smoothed_key_points(std::span(line).first(60), 2.0), (std::vector<std::size_t>{0, 59}));
+  EXPECT_EQ(smoothed_keys(std::span(line).first(60), 2.0), (std::vector<std::size_t>{0, 59}));
 }
 
 TEST(KeyPoints, SmoothedOnesKeepTheirDistance) {
   const auto points = line_then_arc(0.03, 3);
-  const auto keys = smoothed_key_points(points, 2.0);
+  const auto keys = smoothed_keys(points, 2.0);
   ASSERT_GE(keys.size(), 5U);
   for (std::size_t j = 1; j < keys.size(); ++j) EXPECT_GE(keys[j] - keys[j - 1], 3U);
   EXPECT_EQ(keys.front(), 0U);

@@ -65,50 +65,62 @@ Vec2 principal_axis(const Moments& m) {
                            : forward_unit({2.0 * m.xy, spread - difference});
 }
 
+std::vector<double> signed_distances(const Line& line, std::span<const Vec2> points) {
+  std::vector<double> distances(points.size());
+  std::ranges::transform(points, distances.begin(), [&](Vec2 p) { return signed_distance(line, p); });
+  return distances;
+}
+
 }  // namespace
 
 Line line_along(Vec2 point, Vec2 direction) { return {point, forward_unit(direction)}; }
 
 LineFit measured(const Line& line, std::span<const Vec2> points, std::span<const double> weights,
                  std::vector<double> final_weights) {
-  std::vector<double> distances(points.size());
-  std::ranges::transform(points, distances.begin(), [&](Vec2 p) { return signed_distance(line, p); });
-  return {line, summarise(std::move(distances), weights), std::move(final_weights)};
+  return {line, summarise(signed_distances(line, points), weights), std::move(final_weights)};
 }
 
-double station(const Line& line, Vec2 p) { return dot(line.direction, p - line.centroid); }
-
-double signed_distance(const Line& line, Vec2 p) { return cross(line.direction, p - line.centroid); }
-
-Vec2 point_at(const Line& line, double station_m) { return line.centroid + station_m * line.direction; }
-
-std::optional<LineFit> fit_line(std::span<const Vec2> points, std::span<const double> weights) {
+std::optional<Line> orthogonal_line(std::span<const Vec2> points, std::span<const double> weights) {
   assert(weights.empty() || weights.size() == points.size());
   const auto differ = [](Vec2 a, Vec2 b) { return a != b; };
   if (!all_finite(points) || !any_two(points, weights, differ)) return std::nullopt;
   const Moments m = moments(points, weights);
-  return measured({m.centroid, principal_axis(m)}, points, weights, weights_or_ones(weights, points.size()));
+  return Line{m.centroid, principal_axis(m)};
 }
 
-std::optional<LineFit> fit_line_ordinary(std::span<const Vec2> points, std::span<const double> weights) {
+std::optional<Line> ordinary_line(std::span<const Vec2> points, std::span<const double> weights) {
   assert(weights.empty() || weights.size() == points.size());
   const auto differ = [](Vec2 a, Vec2 b) { return a.x != b.x; };
   if (!all_finite(points) || !any_two(points, weights, differ)) return std::nullopt;
   const Moments m = moments(points, weights);
-  return measured(line_along(m.centroid, {m.xx, m.xy}), points, weights,
-                  weights_or_ones(weights, points.size()));
+  return line_along(m.centroid, {m.xx, m.xy});
+}
+
+std::optional<LineFit> fit_line(std::span<const Vec2> points, std::span<const double> weights) {
+  const auto line = orthogonal_line(points, weights);
+  if (!line) return std::nullopt;
+  return measured(*line, points, weights, weights_or_ones(weights, points.size()));
+}
+
+std::optional<LineFit> fit_line_ordinary(std::span<const Vec2> points, std::span<const double> weights) {
+  const auto line = ordinary_line(points, weights);
+  if (!line) return std::nullopt;
+  return measured(*line, points, weights, weights_or_ones(weights, points.size()));
 }
 
 std::optional<LineFit> fit_line_robust(std::span<const Vec2> points, const RobustOptions& options,
                                        std::span<const double> weights) {
-  std::optional<LineFit> fit = fit_line(points, weights);
-  for (int i = 0; fit && i < options.start_iterations + options.iterations; ++i) {
-    const auto next = robust_weights(i, fit->residuals.signed_m, weights, options);
-    const auto refit = fit_line(points, next);
+  std::optional<Line> line = orthogonal_line(points, weights);
+  if (!line) return std::nullopt;
+  std::vector<double> final_weights = weights_or_ones(weights, points.size());
+  for (int i = 0; i < options.start_iterations + options.iterations; ++i) {
+    auto next = robust_weights(i, signed_distances(*line, points), weights, options);
+    const auto refit = orthogonal_line(points, next);
     if (!refit) break;  // the points that still weigh something coincide: the line before stands
-    fit = measured(refit->line, points, weights, next);
+    line = refit;
+    final_weights = std::move(next);
   }
-  return fit;
+  return measured(*line, points, weights, std::move(final_weights));
 }
 
 }  // namespace verge::fit

@@ -19,11 +19,17 @@ struct Line {
 };
 
 /// Where the foot of p lies along the line, metres from the centroid, positive along the direction.
-[[nodiscard]] double station(const Line& line, Vec2 p);
+[[nodiscard]] inline double station(const Line& line, Vec2 p) {
+  return dot(line.direction, p - line.centroid);
+}
 /// Orthogonal distance of p, metres, positive to the left of the direction.
-[[nodiscard]] double signed_distance(const Line& line, Vec2 p);
+[[nodiscard]] inline double signed_distance(const Line& line, Vec2 p) {
+  return cross(line.direction, p - line.centroid);
+}
 /// The line's point at that station.
-[[nodiscard]] Vec2 point_at(const Line& line, double station_m);
+[[nodiscard]] inline Vec2 point_at(const Line& line, double station_m) {
+  return line.centroid + station_m * line.direction;
+}
 
 /// The line through `point` along `direction`, which may have any length but 0.
 [[nodiscard]] Line line_along(Vec2 point, Vec2 direction);
@@ -38,6 +44,13 @@ struct LineFit {
 /// `final_weights`: what the fit made of them.
 [[nodiscard]] LineFit measured(const Line& line, std::span<const Vec2> points,
                                std::span<const double> weights, std::vector<double> final_weights);
+
+/// The lines of fit_line and fit_line_ordinary below alone, for those who need no residuals: measuring them
+/// takes several times as long. Degenerate: as there.
+[[nodiscard]] std::optional<Line> orthogonal_line(std::span<const Vec2> points,
+                                                  std::span<const double> weights = {});
+[[nodiscard]] std::optional<Line> ordinary_line(std::span<const Vec2> points,
+                                                std::span<const double> weights = {});
 
 /// Straight line by orthogonal (total) least squares: it goes through the weighted mean along the principal
 /// axis of the scatter, and turning the points turns the line. `weights`: empty, or one finite weight >= 0

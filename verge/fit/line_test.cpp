@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -96,6 +98,33 @@ TEST(Line, OrdinaryLeastSquaresFlattensASteepLineThatTotalLeastSquaresFollows) {
   const double ordinary = slope_of(fit_line_ordinary(points).value().line);
   EXPECT_NEAR(total, 80.0 * std::numbers::pi / 180.0, 0.03);
   EXPECT_LT(ordinary, total - 0.02);
+}
+
+TEST(Line, AloneIsTheLineOfTheFit) {
+  const auto points = noisy_line(0.4, 0.1, 7);
+  std::vector<double> weights(points.size(), 1.0);
+  weights[3] = 0.0;
+  weights[50] = 5.0;
+  const auto expect_same = [](const std::optional<Line>& line, const std::optional<LineFit>& fit) {
+    ASSERT_TRUE(line && fit);
+    EXPECT_EQ(line->centroid, fit->line.centroid);
+    EXPECT_EQ(line->direction, fit->line.direction);
+  };
+  expect_same(orthogonal_line(points, weights), fit_line(points, weights));
+  expect_same(ordinary_line(points, weights), fit_line_ordinary(points, weights));
+  EXPECT_FALSE(orthogonal_line(std::span(points).first(1)));
+  EXPECT_FALSE(ordinary_line(std::vector<Vec2>{{1.0, 0.0}, {1.0, 3.0}}));
+}
+
+TEST(Line, RobustFitIsTheLineOfItsOwnWeights) {
+  auto points = noisy_line(0.4, 0.1, 7);
+  points[10] = points[10] + Vec2{0.0, 4.0};
+  const auto robust = fit_line_robust(points).value();
+  const auto again = orthogonal_line(points, robust.weights).value();
+  EXPECT_EQ(again.centroid, robust.line.centroid);
+  EXPECT_EQ(again.direction, robust.line.direction);
+  EXPECT_EQ(robust.weights[10], 0.0);
+  EXPECT_NEAR(robust.residuals.signed_m[10], 4.0 * std::cos(0.4), 0.3);
 }
 
 TEST(Line, RobustFitIgnoresAWallBehindTheKerb) {

@@ -40,13 +40,9 @@ bool is_low(Vec3 p, const LowGate& gate) {
          std::abs(p.x) < gate.forward_max_m && dot(p.xy(), p.xy()) > gate.range_min_m * gate.range_min_m;
 }
 
-/// Starts the ring behind, where the direction jumps from pi to -pi: tilt and heading have moved that seam.
-void start_at_seam(std::vector<Vec3>& points) {
-  const auto seam = std::adjacent_find(points.begin(), points.end(), [](Vec3 a, Vec3 b) {
-    return a.y >= 0.0 && b.y < 0.0 && (a.x < 0.0 || b.x < 0.0);
-  });
-  if (seam != points.end()) std::rotate(points.begin(), seam + 1, points.end());
-}
+/// Whether the direction jumps from pi to -pi between two neighbours, behind: tilt and heading have moved
+/// that seam, and a ring is to start there.
+bool is_seam(Vec3 a, Vec3 b) { return b.y < 0.0 && a.y >= 0.0 && (a.x < 0.0 || b.x < 0.0); }
 
 }  // namespace
 
@@ -57,16 +53,20 @@ std::vector<LowRing> height_gate(const Scan& scan, const LevelFrame& frame, cons
     LowRing ring{r, 0.0, 0.0, {}};
     ring.points.reserve(end - begin);
     MeanElevation elevation;
+    std::size_t seam = 0;
     for (std::size_t i = begin; i < end; ++i) {
       if (!(scan.range[i] > 0.0F)) continue;
       elevation.add(scan.z[i], scan.range[i]);
       const Vec3 p = frame.to_level(scan.point(i));
-      if (is_low(p, gate)) ring.points.push_back(p);
+      if (!is_low(p, gate)) continue;
+      if (seam == 0 && !ring.points.empty() && is_seam(ring.points.back(), p)) seam = ring.points.size();
+      ring.points.push_back(p);
     }
     if (ring.points.empty()) continue;
     ring.elevation_rad = elevation.value_rad();
     ring.spacing_rad = median_spacing(scan, begin, end);
-    start_at_seam(ring.points);
+    std::rotate(ring.points.begin(), ring.points.begin() + static_cast<std::ptrdiff_t>(seam),
+                ring.points.end());
     low.push_back(std::move(ring));
   }
   return low;

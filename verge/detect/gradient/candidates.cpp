@@ -71,25 +71,37 @@ double height_over(const Layer& layer, std::size_t begin, Vec3 foot, const Gradi
   return top - foot.z;
 }
 
+/// Root mean square of the points' distances from the line.
+double deviation(const fit::Line& line, std::span<const Vec2> points) {
+  double squares = 0.0;
+  for (const Vec2 p : points) {
+    const double d = fit::signed_distance(line, p);
+    squares += d * d;
+  }
+  return std::sqrt(squares / static_cast<double>(points.size()));
+}
+
 /// The foot of a step by its own evidence: along the ring, the straight line of the road before the step, and
 /// the place where the heights leave it for good. Without it, boundaries sit some 0.1 m up the ramp.
 class FootFinder {
  public:
   FootFinder(const Layer& layer, std::size_t begin, std::size_t end)
-      : layer_(layer), first_(road_begin(layer, begin)), begin_(begin), end_(end) {
-    double arc = 0.0;
-    for (std::size_t i = first_; i < begin; ++i) arc -= spacing(i);
+      : layer_(layer), first_(road_begin(layer, begin)), step_(begin - first_) {
+    double length = 0.0;
+    for (std::size_t i = first_; i < begin; ++i) length -= spacing(i);
+    profile_.reserve(end - first_);
     for (std::size_t i = first_; i < end; ++i) {
-      arc_.push_back(arc);
-      arc += i + 1 < end ? spacing(i) : 0.0;
+      profile_.push_back({length, layer.points[i].z});
+      length += i + 1 < end ? spacing(i) : 0.0;
     }
   }
 
   [[nodiscard]] std::optional<Vec3> find() const {
+    constexpr std::size_t kLeast = 4;
     for (const double near : {0.35, 0.1}) {
-      const std::vector<Vec2> road = road_heights(near);
-      if (road.size() < 4) continue;
-      if (const auto line = fit::fit_line_ordinary(road)) return departure(*line, first_ + road.size());
+      const std::span<const Vec2> road = road_before(near);
+      if (road.size() < kLeast) continue;
+      if (const auto line = fit::ordinary_line(road)) return departure(*line, road);
     }
     return std::nullopt;
   }
@@ -111,34 +123,30 @@ class FootFinder {
     return across_beams(layer_.points[i], layer_.points[i + 1]);
   }
 
-  /// (length across the beams from the step, height).
-  [[nodiscard]] Vec2 at(std::size_t i) const { return {arc_[i - first_], layer_.points[i].z}; }
-
   /// The returns of the road before the step that are not nearer to it than `near`.
-  [[nodiscard]] std::vector<Vec2> road_heights(double near) const {
-    std::vector<Vec2> road;
-    for (std::size_t i = first_; i < begin_ && at(i).x <= -near; ++i) road.push_back(at(i));
-    return road;
+  [[nodiscard]] std::span<const Vec2> road_before(double near) const {
+    std::size_t size = 0;
+    while (size < step_ && profile_[size].x <= -near) ++size;
+    return std::span(profile_).first(size);
   }
 
-  /// Where the heights leave the road for good, looked for from return `from` on.
-  [[nodiscard]] std::optional<Vec3> departure(const fit::LineFit& road, std::size_t from) const {
-    const double on_road = std::max(0.014, 2.5 * road.residuals.rms_m);
+  /// Where the heights leave the line of the road for good, looked for from the end of `road` on.
+  [[nodiscard]] std::optional<Vec3> departure(const fit::Line& line, std::span<const Vec2> road) const {
+    const double on_road = std::max(0.014, 2.5 * deviation(line, road));
     const double off_road = std::max(0.04, 1.5 * on_road);
-    const auto residual = [&](std::size_t k) { return fit::signed_distance(road.line, at(k)); };
-    std::size_t i = from;
-    while (i < end_ && !(residual(i) > off_road)) ++i;
-    if (i >= end_) return std::nullopt;
-    while (i > from && residual(i) > on_road) --i;
-    const std::size_t next = std::min(i + 1, end_ - 1);
-    return 0.5 * (layer_.points[i] + layer_.points[next]);
+    const auto height = [&](std::size_t k) { return fit::signed_distance(line, profile_[k]); };
+    std::size_t k = road.size();
+    while (k < profile_.size() && !(height(k) > off_road)) ++k;
+    if (k >= profile_.size()) return std::nullopt;
+    while (k > road.size() && height(k) > on_road) --k;
+    const std::size_t next = std::min(k + 1, profile_.size() - 1);
+    return 0.5 * (layer_.points[first_ + k] + layer_.points[first_ + next]);
   }
 
   const Layer& layer_;
-  std::size_t first_;
-  std::size_t begin_;
-  std::size_t end_;
-  std::vector<double> arc_;  ///< From first_ to end_, 0 at begin_.
+  std::size_t first_;          ///< Return of the layer where the profile begins.
+  std::size_t step_;           ///< Of the profile, where the step begins.
+  std::vector<Vec2> profile_;  ///< (length across the beams from the step, height) of each return.
 };
 
 }  // namespace

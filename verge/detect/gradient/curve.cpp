@@ -68,9 +68,8 @@ std::vector<std::size_t> with_gaps_filled(const std::vector<std::size_t>& key,
   return filled;
 }
 
-/// The least-squares spline near all points.
-std::optional<fit::SplineFit> near_all(const std::vector<Vec2>& points, fit::KnotPlacement knots,
-                                       const GradientConfig& config) {
+/// The least-squares spline near all points has few control points.
+fit::SplineFitOptions near_all(fit::KnotPlacement knots, const GradientConfig& config) {
   constexpr double kSparse = 0.1;  // metres: a lower floor takes the few feet far out for outliers
   fit::SplineFitOptions options;
   options.span_m = config.spline_span_m;
@@ -78,12 +77,13 @@ std::optional<fit::SplineFit> near_all(const std::vector<Vec2>& points, fit::Kno
   options.knots = knots;
   options.robust = fit::RobustOptions{};
   options.robust->scale_floor_m = kSparse;
-  return fit::fit_spline(points, options);
+  return options;
 }
 
-/// III-2 on a smoothed boundary.
-std::vector<Vec2> key_points_of(const std::vector<Vec2>& samples, const GradientConfig& config) {
-  const std::vector<std::size_t> key = fit::smoothed_key_points(samples, config.key_window_m);
+/// III-2 on a smoothed boundary of that curvature.
+std::vector<Vec2> key_points_of(const std::vector<Vec2>& samples, const std::vector<double>& kappa,
+                                const GradientConfig& config) {
+  const auto key = fit::smoothed_key_points(samples, kappa, config.key_window_m);
   return without_duplicates(fit::gather(samples, with_gaps_filled(key, samples, config.spline_span_m)));
 }
 
@@ -97,7 +97,7 @@ double bic(const fit::Residuals& residuals, std::size_t parameters) {
 /// P3's "adaptive selection". Of a B-spline's coordinates those across it count, one a control point.
 bool is_straight(const fit::LineFit& line, const std::vector<Vec2>& points, const GradientConfig& config) {
   if (config.straight_by == StraightRule::kResidual) return line.residuals.p95_m <= config.line_residual_m;
-  const auto spline = near_all(points, config.knots, config);
+  const auto spline = fit::fit_spline(points, near_all(config.knots, config));
   return !spline || bic(line.residuals, 2) <= bic(spline->residuals, spline->curve.control_points.size());
 }
 
@@ -114,22 +114,22 @@ void note_curvature(Curve& curve, std::vector<double> kappa, const std::vector<V
 /// III-2 to III-5: key points on the curve that smooths the boundary, and the B-spline through them.
 std::optional<Curve> through_key_points(const std::vector<Vec2>& points, const GradientConfig& config) {
   constexpr double kSample = 0.25;  // metres
-  const auto smooth = near_all(points, fit::KnotPlacement::kUniform, config);
-  const std::vector<Vec2> samples = smooth ? fit::sample(smooth->curve, kSample) : points;
+  const auto smooth = fit::spline_near(points, near_all(fit::KnotPlacement::kUniform, config));
+  const std::vector<Vec2> samples = smooth ? fit::sample(*smooth, kSample) : points;
+  auto kappa = fit::smoothed_curvature(samples, config.key_window_m);
   fit::InterpolationOptions options;
   options.knots = config.knots;
-  auto curve = through(key_points_of(samples, config), options, config.sample_step_m);
-  if (curve) note_curvature(*curve, fit::smoothed_curvature(samples, config.key_window_m), samples);
+  auto curve = through(key_points_of(samples, kappa, config), options, config.sample_step_m);
+  if (curve) note_curvature(*curve, std::move(kappa), samples);
   return curve;
 }
 
 /// Ours: few control points near all points.
 std::optional<Curve> least_squares_curve(const std::vector<Vec2>& points, const GradientConfig& config) {
-  const auto fitted = near_all(points, config.knots, config);
-  if (!fitted) return std::nullopt;
-  const fit::BSpline& spline = fitted->curve;
-  Curve curve{Model::kSpline,       fit::sample(spline, config.sample_step_m), {}, {}, {}, spline.knots,
-              spline.control_points};
+  const auto spline = fit::spline_near(points, near_all(config.knots, config));
+  if (!spline) return std::nullopt;
+  Curve curve{Model::kSpline,        fit::sample(*spline, config.sample_step_m), {}, {}, {}, spline->knots,
+              spline->control_points};
   note_curvature(curve, fit::smoothed_curvature(curve.points, config.key_window_m), curve.points);
   return curve;
 }

@@ -16,37 +16,60 @@ constexpr std::size_t kLeastAfter = 3;
 constexpr double kClimbShare = 0.25;    // of the rise must be a climb from the last returns before it
 constexpr double kLeastBefore_m = 0.3;  // shorter lines say nothing of a slope
 
-/// Sums over prefixes of a layer, so that a line fit over any stretch of it is O(1).
-struct Prefix {
-  struct Sums {
-    double s = 0.0, z = 0.0, ss = 0.0, sz = 0.0, zz = 0.0;
-  };
-  std::vector<Sums> sums;
+/// Sums over a stretch of a layer: lengths s along it and heights z.
+struct Sums {
+  double s = 0.0, z = 0.0, ss = 0.0, sz = 0.0, zz = 0.0;
+};
 
-  Prefix(const std::vector<double>& arc, const std::vector<Vec3>& points) : sums(points.size() + 1) {
-    Sums sum;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double s = arc[i];
-      const double z = points[i].z;
-      sum = {sum.s + s, sum.z + z, sum.ss + s * s, sum.sz + s * z, sum.zz + z * z};
-      sums[i + 1] = sum;
+/// Sums over prefixes of a layer, so that a line fit over any stretch of it is O(1). Most returns are asked
+/// for heights alone; the other sums are made as far as a stretch that is asked for.
+class Prefix {
+ public:
+  Prefix(const std::vector<double>& arc, const std::vector<Vec3>& points)
+      : arc_(arc), points_(points), heights_(points.size() + 1), sums_(1) {
+    double height = 0.0;
+    auto next = heights_.begin();
+    for (const Vec3& p : points) {
+      height += p.z;
+      *++next = height;
     }
   }
-  [[nodiscard]] Sums over(std::size_t begin, std::size_t end) const {
-    const Sums& a = sums[begin];
-    const Sums& b = sums[end];
+
+  /// Over the returns [begin, end).
+  [[nodiscard]] double height(std::size_t begin, std::size_t end) const {
+    return heights_[end] - heights_[begin];
+  }
+  [[nodiscard]] Sums over(std::size_t begin, std::size_t end) {
+    extend(end);
+    const Sums& a = sums_[begin];
+    const Sums& b = sums_[end];
     return {b.s - a.s, b.z - a.z, b.ss - a.ss, b.sz - a.sz, b.zz - a.zz};
   }
-  [[nodiscard]] double height(std::size_t begin, std::size_t end) const {
-    return sums[end].z - sums[begin].z;
+
+ private:
+  void extend(std::size_t end) {
+    if (end < sums_.size()) return;
+    sums_.reserve(points_.size() + 1);
+    Sums sum = sums_.back();
+    for (std::size_t i = sums_.size() - 1; i < end; ++i) {
+      const double s = arc_[i];
+      const double z = points_[i].z;
+      sum = {sum.s + s, sum.z + z, sum.ss + s * s, sum.sz + s * z, sum.zz + z * z};
+      sums_.push_back(sum);
+    }
   }
+
+  const std::vector<double>& arc_;
+  const std::vector<Vec3>& points_;
+  std::vector<double> heights_;
+  std::vector<Sums> sums_;
 };
 
 /// Height over arc length on the road's side of a return, as a straight line with its uncertainty.
 struct RoadSlope {
   double arc_mean, height_mean, arc_spread, slope = 0.0, variance = 0.0;
 
-  RoadSlope(const Prefix::Sums& a, double n)
+  RoadSlope(const Sums& a, double n)
       : arc_mean(a.s / n), height_mean(a.z / n), arc_spread(std::max(a.ss - n * arc_mean * arc_mean, 0.0)) {
     const double cov = a.sz - n * arc_mean * height_mean;
     const double var = a.zz - n * height_mean * height_mean;
@@ -61,6 +84,16 @@ struct RoadSlope {
   }
 };
 
+/// Whether what follows return i, up to `after`, climbs from the last returns before it: where a step down
+/// ends, what follows lies above the slope of what came before as well.
+bool climbs(const Prefix& prefix, std::size_t i, std::size_t after, double rise) {
+  constexpr auto kNear = static_cast<double>(kLeastBefore);
+  const auto n_after = static_cast<double>(after - i);
+  const double before = n_after / kNear * prefix.height(i - kLeastBefore, i);
+  // n_after times the climb, since most returns end here: they are of the road.
+  return prefix.height(i, after) - before > n_after * (kClimbShare * rise);
+}
+
 /// The stretches before and after return i.
 struct Windows {
   std::size_t before = 0;  ///< [before, i)
@@ -68,21 +101,15 @@ struct Windows {
 };
 
 /// How much what follows return i stands above the slope of what came before; none where it does not by
-/// enough, or does not climb from the last returns before it: where a step down ends, what follows lies above
-/// the extrapolated slope as well.
-std::optional<double> rise_at(const Prefix& prefix, std::size_t i, const Windows& w,
-                              const GradientConfig& config) {
-  constexpr auto kNear = static_cast<double>(kLeastBefore);
+/// enough, or does not climb by it.
+std::optional<double> rise_at(Prefix& prefix, std::size_t i, const Windows& w, const GradientConfig& config) {
   const auto n_before = static_cast<double>(i - w.before);
   const auto n_after = static_cast<double>(w.after - i);
-  const double height_sum = prefix.height(i, w.after);
-  // n_after times the climb, since most returns end here: they are of the road.
-  const double climb_sum = height_sum - n_after / kNear * prefix.height(i - kLeastBefore, i);
-  if (!(climb_sum > n_after * (kClimbShare * config.rise_min_m))) return std::nullopt;
   const RoadSlope road(prefix.over(w.before, i), n_before);
-  const double arc_after = (prefix.sums[w.after].s - prefix.sums[i].s) / n_after;
-  const double rise = height_sum / n_after - road.height_at(arc_after);
-  if (!(climb_sum > n_after * kClimbShare * rise) || !(rise > config.rise_min_m)) return std::nullopt;
+  const Sums after = prefix.over(i, w.after);
+  const double arc_after = after.s / n_after;
+  const double rise = after.z / n_after - road.height_at(arc_after);
+  if (!(rise > config.rise_min_m) || !climbs(prefix, i, w.after, rise)) return std::nullopt;
   const double error = road.error_at(arc_after, n_after, n_before);
   return rise > config.noise_factor * error ? std::optional(rise) : std::nullopt;
 }
@@ -112,14 +139,14 @@ std::vector<double> arc_of(const Layer& layer, const GradientConfig& config) {
 
 GradientPoints gradient_points(const Layer& layer, const GradientConfig& config) {
   const std::vector<double> arc = arc_of(layer, config);
-  const Prefix prefix(arc, layer.points);
+  Prefix prefix(arc, layer.points);
   GradientPoints out;
   Windows w;
-  for (std::size_t i = 0; i < arc.size(); ++i) {
-    while (arc[w.before] < arc[i] - config.before_m) ++w.before;
+  for (std::size_t i = kLeastBefore; i < arc.size(); ++i) {
     while (w.after < arc.size() && arc[w.after] <= arc[i] + config.after_m) ++w.after;
-    if (i - w.before < kLeastBefore || w.after - i < kLeastAfter || arc[i] - arc[w.before] < kLeastBefore_m)
-      continue;
+    if (w.after - i < kLeastAfter || !climbs(prefix, i, w.after, config.rise_min_m)) continue;
+    while (arc[w.before] < arc[i] - config.before_m) ++w.before;
+    if (i - w.before < kLeastBefore || arc[i] - arc[w.before] < kLeastBefore_m) continue;
     if (const auto rise = rise_at(prefix, i, w, config)) {
       out.index.push_back(i);
       out.rise_m.push_back(*rise);

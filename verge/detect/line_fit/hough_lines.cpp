@@ -48,15 +48,15 @@ std::optional<Edge> refit(const raster::HoughSegment& segment, std::span<const V
                           std::span<const std::size_t> chosen, const LineFitConfig& config) {
   const double square_m = static_cast<double>(config.square_px) * config.cell_m;
   const std::array ends = {segment.from, segment.to};
-  auto fitted = fit::fit_line(ends);
+  auto line = fit::orthogonal_line(ends);
   std::vector<std::size_t> on;
   for (const double near_m : {square_m, 0.5 * square_m}) {
-    if (!fitted) return std::nullopt;
-    on = points_on(segment, fitted->line, places, chosen, near_m);
-    fitted = fit::fit_line(fit::gather(places, on));
+    if (!line) return std::nullopt;
+    on = points_on(segment, *line, places, chosen, near_m);
+    line = fit::orthogonal_line(fit::gather(places, on));
   }
-  if (!fitted) return std::nullopt;
-  return edge_of(fitted->line, std::move(on), places);
+  if (!line) return std::nullopt;
+  return edge_of(*line, std::move(on), places);
 }
 
 raster::EdgeOptions filter_of(const LineFitConfig& config) {

@@ -74,8 +74,8 @@ class Follower {
   [[nodiscard]] double length_m() const { return std::fabs(places_.back().x - places_.front().x); }
 
   [[nodiscard]] std::optional<fit::Line> line_along() const {
-    const auto fitted = fit::fit_line(places_);
-    return fitted && is_along(fitted->line) ? std::optional(fitted->line) : std::nullopt;
+    const auto line = fit::orthogonal_line(places_);
+    return line && is_along(*line) ? line : std::nullopt;
   }
 
   /// Near to the line; as long as there is none, not farther aside than a kerb goes.

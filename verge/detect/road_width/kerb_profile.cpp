@@ -63,11 +63,10 @@ std::optional<StraightKerb> KerbProfile::straight(double from_m, double to_m, Ve
   const Vec2 origin = points.front();
   const auto coarse =
       near_ones(points, kCoarse_m, [&](Vec2 p) { return cross(heading, p - origin) - *middle_m; });
-  auto fit = fit::fit_line(coarse);
-  if (!fit) return std::nullopt;
-  const fit::Line line = fit->line;
-  const auto fine = near_ones(coarse, kFine_m, [&](Vec2 p) { return fit::signed_distance(line, p); });
-  fit = fit::fit_line(fine);
+  const auto line = fit::orthogonal_line(coarse);
+  if (!line) return std::nullopt;
+  const auto fine = near_ones(coarse, kFine_m, [&](Vec2 p) { return fit::signed_distance(*line, p); });
+  const auto fit = fit::fit_line(fine);
   if (!fit || fine.size() < kLeast || distance(fine.front(), fine.back()) < kLeast_m) return std::nullopt;
   const double along = dot(fit->line.direction, heading) < 0.0 ? -1.0 : 1.0;
   return StraightKerb{fit->line, left ? along : -along, fit->residuals.rms_m};
