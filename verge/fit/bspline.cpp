@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace verge::fit {
 namespace {
@@ -36,8 +37,9 @@ std::size_t span_of(std::span<const double> t, std::size_t degree, double u) {
   return k;
 }
 
-/// The basis functions of span k at its parameter u.
-BasisRow basis_in_span(std::span<const double> t, std::size_t degree, std::size_t k, double u) {
+/// The basis functions of span k at its parameter u. `degree`: a number, or one that the compiler knows.
+template <class Degree>
+BasisRow basis_row_in_span(std::span<const double> t, Degree degree, std::size_t k, double u) {
   BasisRow row{.first = k - degree};
   row.values[0] = 1.0;  // of order 1; the order grows by one a turn (Piegl and Tiller, algorithm A2.2)
   for (std::size_t order = 1; order <= degree; ++order) {
@@ -52,6 +54,11 @@ BasisRow basis_in_span(std::span<const double> t, std::size_t degree, std::size_
     row.values[order] = saved;
   }
   return row;
+}
+
+BasisRow basis_in_span(std::span<const double> t, std::size_t degree, std::size_t k, double u) {
+  using Cubic = std::integral_constant<std::size_t, 3>;  // nearly all curves: its loops are unrolled
+  return degree == Cubic{} ? basis_row_in_span(t, Cubic{}, k, u) : basis_row_in_span(t, degree, k, u);
 }
 
 Vec2 combine(const BasisRow& row, const BSpline& curve) {

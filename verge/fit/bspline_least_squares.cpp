@@ -42,15 +42,20 @@ std::vector<double> greville(std::span<const double> knots, std::size_t degree) 
   return xi;
 }
 
+/// What P_{i-1}, P_i and P_{i+1} count for in a second difference.
+using Bend = std::array<double, 3>;
+
 /// D^2 P, scaled so that evenly spaced abscissae give P_{i-1} - 2 P_i + P_{i+1}.
-void add_penalty(NormalEquations& sum, std::span<const double> knots, std::size_t degree, double penalty) {
+std::vector<Bend> second_differences(std::span<const double> knots, std::size_t degree) {
   const std::vector<double> xi = greville(knots, degree);
   const double mean_step = (xi.back() - xi.front()) / static_cast<double>(xi.size() - 1);
+  std::vector<Bend> bends;
   for (std::size_t i = 1; i + 1 < xi.size(); ++i) {
     const double before = mean_step / (xi[i] - xi[i - 1]);
     const double after = mean_step / (xi[i + 1] - xi[i]);
-    add_equation(sum, i - 1, std::array{before, -before - after, after}, 3, penalty, {});
+    bends.push_back({before, -before - after, after});
   }
+  return bends;
 }
 
 /// What of a fit depends on the knots and parameters alone, made once for all its iterations.
@@ -59,6 +64,7 @@ struct Design {
   std::vector<double> knots;
   std::vector<BasisRow> position;  ///< For each parameter.
   std::vector<BasisRow> velocity;  ///< Of the derivative's knots and degree.
+  std::vector<Bend> bends;
 };
 
 std::vector<BasisRow> rows_at(std::span<const double> knots, std::size_t degree, std::span<const double> u) {
@@ -70,7 +76,8 @@ std::vector<BasisRow> rows_at(std::span<const double> knots, std::size_t degree,
 Design design(std::vector<double> knots, std::size_t degree, std::span<const double> u) {
   auto position = rows_at(knots, degree, u);
   auto velocity = rows_at(std::span(knots).subspan(1, knots.size() - 2), degree - 1, u);
-  return {degree, std::move(knots), std::move(position), std::move(velocity)};
+  auto bends = second_differences(knots, degree);
+  return {degree, std::move(knots), std::move(position), std::move(velocity), std::move(bends)};
 }
 
 Vec2 combine(const BasisRow& row, std::size_t degree, std::span<const Vec2> control_points) {
@@ -88,7 +95,8 @@ std::optional<BSpline> solve_design(const Design& at, std::span<const Vec2> poin
     const BasisRow& row = at.position[k];
     add_equation(sum, row.first, row.values, at.degree + 1, weight_at(weights, k), points[k]);
   }
-  add_penalty(sum, at.knots, at.degree, penalty);
+  for (std::size_t i = 0; i < at.bends.size(); ++i)
+    add_equation(sum, i, at.bends[i], at.bends[i].size(), penalty, {});
   auto control = solve(std::move(sum.a), std::move(sum.b));
   if (!control) return std::nullopt;
   return BSpline{at.degree, at.knots, std::move(*control)};

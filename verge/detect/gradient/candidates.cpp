@@ -85,14 +85,20 @@ double deviation(const fit::Line& line, std::span<const Vec2> points) {
 /// the place where the heights leave it for good. Without it, boundaries sit some 0.1 m up the ramp.
 class FootFinder {
  public:
-  FootFinder(const Layer& layer, std::size_t begin, std::size_t end)
-      : layer_(layer), first_(road_begin(layer, begin)), step_(begin - first_) {
-    double length = 0.0;
-    for (std::size_t i = first_; i < begin; ++i) length -= spacing(i);
-    profile_.reserve(end - first_);
-    for (std::size_t i = first_; i < end; ++i) {
-      profile_.push_back({length, layer.points[i].z});
-      length += i + 1 < end ? spacing(i) : 0.0;
+  FootFinder(const Layer& layer, std::size_t begin, std::size_t end) : layer_(layer), first_(begin) {
+    constexpr double kFar = 1.25;  // metres of the road before the step
+    double before = 0.0;
+    for (; first_ > 0; --first_) {
+      before += spacing(first_ - 1);
+      if (before > kFar) break;
+      profile_.push_back({-before, layer.points[first_ - 1].z});
+    }
+    std::ranges::reverse(profile_);
+    step_ = profile_.size();
+    double after = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      profile_.push_back({after, layer.points[i].z});
+      after += i + 1 < end ? spacing(i) : 0.0;
     }
   }
 
@@ -107,17 +113,6 @@ class FootFinder {
   }
 
  private:
-  /// The first return of the road before the step.
-  [[nodiscard]] static std::size_t road_begin(const Layer& layer, std::size_t begin) {
-    constexpr double kFar = 1.25;  // metres
-    std::size_t first = begin;
-    for (double before = 0.0; first > 0; --first) {
-      before += across_beams(layer.points[first - 1], layer.points[first]);
-      if (before > kFar) break;
-    }
-    return first;
-  }
-
   /// From return i to the next one.
   [[nodiscard]] double spacing(std::size_t i) const {
     return across_beams(layer_.points[i], layer_.points[i + 1]);
@@ -145,7 +140,7 @@ class FootFinder {
 
   const Layer& layer_;
   std::size_t first_;          ///< Return of the layer where the profile begins.
-  std::size_t step_;           ///< Of the profile, where the step begins.
+  std::size_t step_ = 0;       ///< Of the profile, where the step begins.
   std::vector<Vec2> profile_;  ///< (length across the beams from the step, height) of each return.
 };
 
