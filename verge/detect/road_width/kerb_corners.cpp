@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "verge/detect/road_width/kerb_foot.hpp"
+
 namespace verge::detect::road_width {
 namespace {
 
@@ -44,9 +46,9 @@ std::optional<std::size_t> standing(const LayerLine& line, double end_m, double 
 
 /// One end of a line.
 struct End {
-  std::size_t index = 0;  // the point that ends it
-  std::size_t where = 0;  // the point that says how far along the way
   SightKind kind = SightKind::kKerb;
+  Vec3 place{};  // in the level frame
+  Vec3 along{};  // what says how far along the way: of an open line, where it crosses the kerb's line
 };
 
 End end_of(const Road& road, double reach_m, double kerb_m, double height_m, bool left) {
@@ -54,9 +56,13 @@ End end_of(const Road& road, double reach_m, double kerb_m, double height_m, boo
   const std::size_t index = outermost(road.line, end.edge, reach_m, left);
   const double end_m = std::fabs(road.line.points[index].x);
   if (const auto thing = standing(road.line, end_m, height_m, left))
-    return {*thing, *thing, SightKind::kThing};
-  const bool open = end.kind == LineEnd::kOpen || index != end.edge;
-  return {index, crossing(road.line, index, kerb_m, left), open ? SightKind::kOpen : SightKind::kKerb};
+    return {SightKind::kThing, road.line.level[*thing], road.line.level[*thing]};
+  const Vec3 place = road.line.level[index];
+  if (end.kind == LineEnd::kOpen || index != end.edge)
+    return {SightKind::kOpen, place, road.line.level[crossing(road.line, index, kerb_m, left)]};
+  const Vec2 at = kerb_foot(road.line, index, left).value_or(place.xy());
+  const Vec3 foot{at.x, at.y, place.z};
+  return {SightKind::kKerb, foot, foot};
 }
 
 }  // namespace
@@ -77,14 +83,17 @@ void KerbCorners::add_sights(const std::vector<Road>& roads, const Whereabouts& 
       ends.at(side) =
           end_of(road, reach, kerb ? -kerb->outward_m(place) : reach, config_.standing_m, side == 0);
     }
-    const auto world_of = [&](std::size_t i) { return (here.T_world_level * road.line.level[i]).xy(); };
+    const auto world_of = [&](Vec3 p) { return (here.T_world_level * p).xy(); };
     for (std::size_t side = 0; side < 2; ++side) {
       const End& end = ends.at(side);
       const End& opposite = ends.at(1 - side);
-      watches_.at(side).profile.see({.along_m = here.way_m + dot(world_of(end.where) - place, here.course),
+      const double ahead_m = dot(world_of(end.along) - place, here.course);
+      watches_.at(side).profile.see({.along_m = here.way_m + ahead_m,
+                                     .ahead_m = ahead_m,
                                      .kind = end.kind,
-                                     .end = world_of(end.index),
-                                     .opposite = world_of(opposite.index),
+                                     .from = place,
+                                     .end = world_of(end.place),
+                                     .opposite = world_of(opposite.place),
                                      .opposite_kind = opposite.kind});
     }
   }

@@ -88,6 +88,31 @@ TEST(KerbReturn, OfMorePointsIsSurer) {
   EXPECT_LT(sure->sigma_m, unsure->sigma_m);
 }
 
+// Lines that are open because the kerb has turned away from whoever looks say nothing of how deep it is.
+TEST(KerbReturn, ThatTurnsAwayIsHidden) {
+  const double radius_m = 3.0;
+  const double aside_m = 2.5;
+  const double ahead_m = 4.5;
+  std::vector<KerbPoint> told;
+  std::vector<KerbPoint> not_told;
+  for (KerbPoint p : circle(radius_m, 3.4, 0.2)) {
+    const double s = p.along_m;
+    const bool visible = s * ahead_m < std::sqrt(std::max(0.0, radius_m * radius_m - s * s)) *
+                                           (aside_m + radius_m - std::sqrt(radius_m * radius_m - s * s));
+    if (s > 0.5 && !visible) p = {.along_m = s, .outward_m = 4.0, .open = Vec2{ahead_m, aside_m}};
+    told.push_back(p);
+    p.open.reset();
+    not_told.push_back(p);
+  }
+  const auto turn = fit_kerb_return(told, first_beyond(told), kSigma_m, {2.5, 12.0});
+  const auto taken_for_deep = fit_kerb_return(not_told, first_beyond(told), kSigma_m, {2.5, 12.0});
+  ASSERT_TRUE(turn && taken_for_deep);
+  EXPECT_NEAR(turn->begin_m, 0.0, 0.12);
+  EXPECT_GT(turn->share, 0.9);
+  EXPECT_GT(taken_for_deep->begin_m, turn->begin_m + 0.15);
+  EXPECT_LT(taken_for_deep->share, turn->share);
+}
+
 TEST(KerbReturn, ALongStepAsideIsNone) {
   std::vector<KerbPoint> points = circle(8.0, 0.0, 0.2);
   for (int i = 0; i < 20; ++i) points.push_back({0.2 + 0.2 * i, 0.25 + noise(i)});
@@ -171,12 +196,18 @@ TEST(KerbProfile, AnOpenLineGoesOn) {
   for (const double lateral_m : {2.0, 3.4}) {
     KerbSight open = edge_at(10.0, lateral_m);
     open.kind = SightKind::kOpen;
+    open.from = {6.0, 0.0};
+    open.ahead_m = 4.0;
     profile.see(open);
   }
   const auto points = profile.against(*kerb, nullptr, 9.0);
   ASSERT_EQ(points.size(), 2U);
   EXPECT_NEAR(points[0].outward_m, -0.5, 0.05) << "the field of view ends before the kerb";
   EXPECT_EQ(points[1].outward_m, 4.0);
+  EXPECT_FALSE(points[0].open);
+  ASSERT_TRUE(points[1].open);
+  EXPECT_EQ(points[1].open->x, 4.0);
+  EXPECT_NEAR(points[1].open->y, 2.5, 0.05);
 }
 
 TEST(CornerTracks, GoByUntilTheirExitIsPassed) {

@@ -82,9 +82,11 @@ std::vector<KerbPoint> KerbProfile::against(const StraightKerb& kerb, const Stra
     const double outward_m = kerb.outward_m(it->end) - bend_m(*it, other);
     const bool on_kerb = it->kind == SightKind::kThing && outward_m < kSetback_m;
     const bool seen_through = it->kind == SightKind::kOpen && outward_m > 0.0;
-    points.push_back({it->along_m, on_kerb        ? std::min(outward_m, 0.0)
+    points.push_back({.along_m = it->along_m,
+                      .outward_m = on_kerb        ? std::min(outward_m, 0.0)
                                    : seen_through ? std::max(outward_m, kOpen_m)
                                                   : outward_m});
+    if (seen_through) points.back().open = Vec2{it->ahead_m, -kerb.outward_m(it->from)};
   }
   return points;
 }

@@ -23,7 +23,9 @@ enum class SightKind : std::uint8_t {
 /// thing stands: the way at the scan, and how far ahead.
 struct KerbSight {
   double along_m = 0.0;
+  double ahead_m = 0.0;  ///< Of the vehicle at that scan.
   SightKind kind = SightKind::kKerb;
+  Vec2 from{};                                 ///< The vehicle, in the world.
   Vec2 end{};                                  ///< In the world.
   Vec2 opposite{};                             ///< The line's other end, ...
   SightKind opposite_kind = SightKind::kKerb;  ///< ... and what it is.
@@ -42,6 +44,9 @@ struct StraightKerb {
 struct KerbPoint {
   double along_m = 0.0;
   double outward_m = 0.0;  ///< Away from the road, metres.
+  /// Of an open line: how far ahead of the vehicle and how far to its side it crossed the kerb's line. A kerb
+  /// that has turned away from that direction is not seen.
+  std::optional<Vec2> open{};
 };
 
 /// The ends of all four lines on one side over the way: where the kerb runs, whichever line saw it and when.

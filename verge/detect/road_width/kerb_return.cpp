@@ -22,14 +22,17 @@ constexpr double kStep_m = 0.1;
 struct Stretch {
   double along_m = 0.0;
   double outward_m = 0.0;
+  Vec2 open{};  ///< Mean of the open ones.
   double count = 0.0;
 };
 
-std::vector<Stretch> stretches(std::span<const KerbPoint> points) {
+/// Those that are open, or those that are not.
+std::vector<Stretch> stretches(std::span<const KerbPoint> points, bool open) {
   constexpr double kLength_m = 0.15;
   std::vector<Stretch> all;
   double begin_m = 0.0;
   for (const KerbPoint& p : points) {
+    if (p.open.has_value() != open) continue;
     if (all.empty() || p.along_m >= begin_m + kLength_m) {
       begin_m = p.along_m;
       all.emplace_back();
@@ -37,11 +40,13 @@ std::vector<Stretch> stretches(std::span<const KerbPoint> points) {
     Stretch& last = all.back();
     last.along_m += p.along_m;
     last.outward_m += std::min(p.outward_m, kDeepest_m);
+    last.open = last.open + p.open.value_or(Vec2{});
     last.count += 1.0;
   }
   for (Stretch& s : all) {
     s.along_m /= s.count;
     s.outward_m /= s.count;
+    s.open = (1.0 / s.count) * s.open;
   }
   return all;
 }
@@ -53,16 +58,33 @@ double left_m(double behind_m, double radius_m) {
   return std::min(kDeepest_m, radius_m - std::sqrt(radius_m * radius_m - behind_m * behind_m));
 }
 
-/// Minus twice the logarithm of how likely the stretches are. A point cannot say more than three sigma: some
+/// Whether a circle that far behind its begin has turned away from who looks there.
+bool is_hidden(double behind_m, double radius_m, Vec2 open) {
+  if (behind_m <= 0.0) return false;
+  if (behind_m >= radius_m) return true;
+  const double forward_m = std::sqrt(radius_m * radius_m - behind_m * behind_m);
+  return behind_m * open.x > forward_m * (open.y + left_m(behind_m, radius_m));
+}
+
+/// What all points say, and the open ones among them.
+struct Sights {
+  std::vector<Stretch> seen, open;
+};
+
+/// Minus twice the logarithm of how likely the sights are. None can say more than three sigma: some
 /// lines lose the kerb before it has turned away.
-double misfit(std::span<const Stretch> all, double begin_m, double radius_m, double sigma_m) {
+double misfit(const Sights& sights, double begin_m, double radius_m, double sigma_m) {
   constexpr double kMost = 9.0;
   constexpr double kUneven_m =
       0.03;  // what more points of a stretch do not mend: kerbs are not exactly round
   double sum = 0.0;
-  for (const Stretch& s : all) {
+  const auto add = [&](const Stretch& s) {
     const double off_m = s.outward_m - left_m(s.along_m - begin_m, radius_m);
     sum += std::min(off_m * off_m / (kUneven_m * kUneven_m + sigma_m * sigma_m / s.count), kMost);
+  };
+  for (const Stretch& s : sights.seen) add(s);
+  for (const Stretch& s : sights.open) {
+    if (!is_hidden(s.along_m - begin_m, radius_m, s.open)) add(s);
   }
   return sum;
 }
@@ -74,9 +96,11 @@ double share_on(std::span<const KerbPoint> points, double first_m, double begin_
   double all = 0.0;
   for (const KerbPoint& p : points) {
     if (p.along_m < first_m) continue;
-    const double off_m = std::min(p.outward_m, kDeepest_m) - left_m(p.along_m - begin_m, radius_m);
+    const double behind_m = p.along_m - begin_m;
+    const double off_m = std::min(p.outward_m, kDeepest_m) - left_m(behind_m, radius_m);
+    const bool hidden = p.open && is_hidden(behind_m, radius_m, *p.open);
     all += 1.0;
-    on += std::fabs(off_m) <= kNear_m ? 1.0 : 0.0;
+    on += hidden || std::fabs(off_m) <= kNear_m ? 1.0 : 0.0;
   }
   return all > 0.0 ? on / all : 0.0;
 }
@@ -86,7 +110,7 @@ double share_on(std::span<const KerbPoint> points, double first_m, double begin_
 std::optional<KerbReturn> fit_kerb_return(std::span<const KerbPoint> points, double first_m, double sigma_m,
                                           RadiusRange wide_m) {
   if (points.empty()) return std::nullopt;
-  const std::vector<Stretch> all = stretches(points);
+  const Sights all{stretches(points, false), stretches(points, true)};
   constexpr auto kBegins = static_cast<std::size_t>((kBefore_m + kBehind_m) / kStep_m) + 1;
   std::vector<double> misfits;
   for (const double radius_m : kRadii_m) {
