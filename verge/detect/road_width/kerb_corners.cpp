@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "verge/detect/road_width/kerb_foot.hpp"
-
 namespace verge::detect::road_width {
 namespace {
 
@@ -57,12 +55,11 @@ End end_of(const Road& road, double reach_m, double kerb_m, double height_m, boo
   const double end_m = std::fabs(road.line.points[index].x);
   if (const auto thing = standing(road.line, end_m, height_m, left))
     return {SightKind::kThing, road.line.level[*thing], road.line.level[*thing]};
-  const Vec3 place = road.line.level[index];
   if (end.kind == LineEnd::kOpen || index != end.edge)
-    return {SightKind::kOpen, place, road.line.level[crossing(road.line, index, kerb_m, left)]};
-  const Vec2 at = kerb_foot(road.line, index, left).value_or(place.xy());
-  const Vec3 foot{at.x, at.y, place.z};
-  return {SightKind::kKerb, foot, foot};
+    return {SightKind::kOpen, road.line.level[index],
+            road.line.level[crossing(road.line, index, kerb_m, left)]};
+  const Vec3 kerb = left ? road.left : road.right;
+  return {SightKind::kKerb, kerb, kerb};
 }
 
 }  // namespace

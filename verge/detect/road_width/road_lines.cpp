@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "verge/core/statistics.hpp"
+#include "verge/detect/road_width/kerb_foot.hpp"
 
 namespace verge::detect::road_width {
 namespace {
@@ -49,13 +50,23 @@ LineSearch search_of(const LayerLine& line, const RoadWidthConfig& config) {
   return search;
 }
 
+Vec3 end_place(const LayerLine& line, const RoadEnd& end, bool left, const RoadWidthConfig& config) {
+  const Vec3 last = line.level[end.edge];
+  if (config.reading != CornerReading::kCombined || end.kind == LineEnd::kOpen) return last;
+  const Vec2 foot = kerb_foot(line, end.edge, left).value_or(last.xy());
+  return {foot.x, foot.y, last.z};
+}
+
 }  // namespace
 
 std::vector<Road> road_lines(std::vector<LayerLine> lines, const RoadWidthConfig& config) {
   std::vector<Road> roads;
   for (LayerLine& line : lines) {
     const auto road = find_road_line(line.points, line.middle, search_of(line, config));
-    if (road) roads.push_back({std::move(line), *road});
+    if (!road) continue;
+    const Vec3 left = end_place(line, road->left, true, config);
+    const Vec3 right = end_place(line, road->right, false, config);
+    roads.push_back({std::move(line), *road, left, right});
   }
   return roads;
 }

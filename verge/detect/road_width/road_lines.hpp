@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "verge/core/vec.hpp"
 #include "verge/detect/road_width/layers.hpp"
 #include "verge/detect/road_width/road_line.hpp"
 #include "verge/detect/road_width/road_width.hpp"
@@ -14,9 +15,12 @@ namespace verge::detect::road_width {
 struct Road {
   LayerLine line;
   RoadLine road;
+  Vec3 left,
+      right;  ///< Its ends in the level frame, metres: the last points on the road, or the kerbs' feet.
 };
 
-/// Steps 1 to 7 on each line, first to last; lines without a point are left out.
+/// Steps 1 to 7 on each line, first to last; lines without a point are left out. In the combined reading
+/// lines end at the kerbs' feet where these are seen.
 [[nodiscard]] std::vector<Road> road_lines(std::vector<LayerLine> lines, const RoadWidthConfig& config);
 
 /// X_max: the last line sees no farther to the side, and is not to be compared with what it cannot see. There

@@ -83,8 +83,9 @@ std::optional<Boundary> boundary_of(const std::vector<Road>& roads, Side side, c
   boundary.kind = BoundaryKind::kCurb;
   boundary.model = Model::kPolyline;
   for (const Road& road : std::views::reverse(roads)) {
-    const RoadEnd& end = side == Side::kLeft ? road.road.left : road.road.right;
-    if (end.kind == LineEnd::kEdge) boundary.points.push_back(frame.to_sensor(road.line.level[end.edge]));
+    const bool left = side == Side::kLeft;
+    if ((left ? road.road.left : road.road.right).kind == LineEnd::kEdge)
+      boundary.points.push_back(frame.to_sensor(left ? road.left : road.right));
   }
   if (boundary.points.size() < 2) return std::nullopt;
   boundary.confidence = static_cast<double>(boundary.points.size()) / static_cast<double>(roads.size());
@@ -102,11 +103,13 @@ void record_lines(Trace& trace, const std::vector<Road>& roads, double reach_m, 
     trace.points.push_back(std::move(points));
     middle.values.push_back(roads[i].road.middle_is_road ? 1.0 : 0.0);
     lengths.values.push_back(length_m(roads[i], reach_m));
-    for (const RoadEnd& end : {roads[i].road.left, roads[i].road.right}) {
-      if (end.kind == LineEnd::kOpen) continue;
-      edges.points.push_back(frame.to_sensor(roads[i].line.level[end.edge]));
+    const auto add_edge = [&](const RoadEnd& end, Vec3 place) {
+      if (end.kind == LineEnd::kOpen) return;
+      edges.points.push_back(frame.to_sensor(place));
       edges.group.push_back(static_cast<int>(i));
-    }
+    };
+    add_edge(roads[i].road.left, roads[i].left);
+    add_edge(roads[i].road.right, roads[i].right);
   }
   trace.points.push_back(std::move(edges));
   trace.values.push_back(std::move(lengths));

@@ -168,12 +168,11 @@ class RoadWidth final : public Detector {
   ~RoadWidth() override;
 
   /// Corners from the scan in which they are found until their exit is passed, each with its id; and as
-  /// boundaries the edges of the four lines, one polyline a side, where two lines or more have one. Uses
-  /// scan.mount, or estimates it. Trace layers: points "line 1" (the first, farthest) to "line 4" (the last);
-  /// "edges" (group = line); values "L" (road lengths by line),
-  /// "middle is road" (0 or 1 by line: hypothesis 1); and of the states
-  /// "first comparison", "second comparison" and "K" (each with its threshold behind it), "CCS" (0 or 1),
-  /// "h".
+  /// boundaries the edges of the four lines (combined: the feet of the kerbs), one polyline a side, where two
+  /// lines or more have one. Uses scan.mount, or estimates it. Trace layers: points "line 1" (the first,
+  /// farthest) to "line 4" (the last); "edges" (group = line); values "L" (road lengths by line), "middle is
+  /// road" (0 or 1 by line: hypothesis 1); and of the states "first comparison", "second comparison" and "K"
+  /// (each with its threshold behind it), "CCS" (0 or 1), "h".
   [[nodiscard]] Scene process(const Scan& scan, Trace* trace = nullptr) override;
   [[nodiscard]] Order order() const override { return Order::kSequential; }
 
