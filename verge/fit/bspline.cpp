@@ -61,13 +61,6 @@ BasisRow basis_in_span(std::span<const double> t, std::size_t degree, std::size_
   return degree == Cubic{} ? basis_row_in_span(t, Cubic{}, k, u) : basis_row_in_span(t, degree, k, u);
 }
 
-Vec2 combine(const BasisRow& row, const BSpline& curve) {
-  Vec2 point;
-  for (std::size_t j = 0; j <= curve.degree; ++j)
-    point = point + row.values[j] * curve.control_points[row.first + j];
-  return point;
-}
-
 constexpr int kPiecesForLength = 32;  // the length is then good to 1e-4 where one span bends by 90 degrees
 constexpr int kPiecesForFeet = 16;    // only the start of an iteration
 
@@ -96,7 +89,7 @@ Table tabulate(const BSpline& curve, int pieces) {
     if (t[k] == t[k + 1]) continue;
     for (int piece = 1; piece < pieces; ++piece) {
       const double u = t[k] + (t[k + 1] - t[k]) * piece / pieces;
-      add(u, combine(basis_in_span(t, curve.degree, k, u), curve));
+      add(u, combine(basis_in_span(t, curve.degree, k, u), curve.degree, curve.control_points));
     }
     add(t[k + 1], evaluate(curve, t[k + 1]));
   }
@@ -176,7 +169,7 @@ BasisRow basis_row(std::span<const double> t, std::size_t degree, double u) {
 }
 
 Vec2 evaluate(const BSpline& curve, double u) {
-  return combine(basis_row(curve.knots, curve.degree, u), curve);
+  return combine(basis_row(curve.knots, curve.degree, u), curve.degree, curve.control_points);
 }
 
 BSpline derivative(const BSpline& curve) {

@@ -41,6 +41,14 @@ struct BasisRow {
 /// Eq. (2) for all functions at once, lowest order first. `u` outside the domain is taken at its nearer end.
 [[nodiscard]] BasisRow basis_row(std::span<const double> t, std::size_t degree, double u);
 
+/// The control points weighed by a row: the point of the curve there.
+[[nodiscard]] inline Vec2 combine(const BasisRow& row, std::size_t degree,
+                                  std::span<const Vec2> control_points) {
+  Vec2 point;
+  for (std::size_t j = 0; j <= degree; ++j) point = point + row.values[j] * control_points[row.first + j];
+  return point;
+}
+
 /// The curve's point at u; u outside the domain is taken at its nearer end.
 [[nodiscard]] Vec2 evaluate(const BSpline& curve, double u);
 

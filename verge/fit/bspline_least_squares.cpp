@@ -80,12 +80,6 @@ Design design(std::vector<double> knots, std::size_t degree, std::span<const dou
   return {degree, std::move(knots), std::move(position), std::move(velocity), std::move(bends)};
 }
 
-Vec2 combine(const BasisRow& row, std::size_t degree, std::span<const Vec2> control_points) {
-  Vec2 sum;
-  for (std::size_t j = 0; j <= degree; ++j) sum = sum + row.values[j] * control_points[row.first + j];
-  return sum;
-}
-
 std::optional<BSpline> solve_design(const Design& at, std::span<const Vec2> points,
                                     std::span<const double> weights, double penalty) {
   const std::size_t size = at.knots.size() - at.degree - 1;
