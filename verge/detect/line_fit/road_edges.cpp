@@ -82,7 +82,7 @@ RoadEdges road_edges(const std::vector<Edge>& edges, const LineFitConfig& config
   return road;
 }
 
-Boundary boundary_of(const Edge& edge, Side side, std::span<const LayerPoint> points, const LevelFrame& frame,
+Boundary boundary_of(const Edge& edge, Side side, std::span<const LayerPoint> points,
                      const LineFitConfig& config) {
   constexpr double kStep_m = 0.5;
   Boundary boundary;
@@ -98,7 +98,7 @@ Boundary boundary_of(const Edge& edge, Side side, std::span<const LayerPoint> po
     const double station_m =
         std::lerp(edge.from_m, edge.to_m, static_cast<double>(i) / static_cast<double>(steps));
     const Vec2 place = place_on(edge.curve, station_m);
-    boundary.points.push_back(frame.to_sensor({place.x, place.y, z}));
+    boundary.points.push_back({place.x, place.y, z});
     boundary.state.push_back(nearest_m(stations, station_m) <= config.bridged_m ? PointState::kVisible
                                                                                 : PointState::kBridged);
   }
@@ -112,8 +112,7 @@ Scene scene_of(const Scan& scan, std::span<const LayerPoint> points, const RoadE
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const auto& edge = side == Side::kLeft ? edges.left : edges.right;
     if (!edge) continue;
-    scene.boundaries.push_back(boundary_of(*edge, side, points, frame, config));
-    scene.boundaries.back().id = static_cast<int>(scene.boundaries.size()) - 1;
+    add_boundary(scene, boundary_of(*edge, side, points, config), frame);
   }
   for (const FoundObject& each : found) scene.objects.push_back(to_sensor(each.object, frame, mount));
   scene.road = widths_of(edges, config.points.range_max_m);

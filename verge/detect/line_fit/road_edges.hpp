@@ -23,11 +23,11 @@ struct RoadEdges {
 /// Of the edges that run along the road the longest on either side of the vehicle's axis.
 [[nodiscard]] RoadEdges road_edges(const std::vector<Edge>& edges, const LineFitConfig& config);
 
-/// The edge as a boundary in the sensor's frame, a vertex every half metre from its first to its last return,
+/// The edge as a boundary in the level frame, a vertex every half metre from its first to its last return,
 /// at the height of the lowest returns: seen near to them, bridged in the gaps between (which P2 leaves
 /// open). `points` are those that the edge was put through.
 [[nodiscard]] Boundary boundary_of(const Edge& edge, Side side, std::span<const LayerPoint> points,
-                                   const LevelFrame& frame, const LineFitConfig& config);
+                                   const LineFitConfig& config);
 
 /// All that was found, in the sensor's frame; the road's width every 5 m where both edges reach.
 [[nodiscard]] Scene scene_of(const Scan& scan, std::span<const LayerPoint> points, const RoadEdges& edges,

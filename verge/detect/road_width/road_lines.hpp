@@ -15,8 +15,8 @@ namespace verge::detect::road_width {
 struct Road {
   LayerLine line;
   RoadLine road;
-  Vec3 left,
-      right;  ///< Its ends in the level frame, metres: the last points on the road, or the kerbs' feet.
+  Vec3 left{};   ///< Its left end in the level frame, metres: the last point on the road, or the kerb's foot.
+  Vec3 right{};  ///< Its right end.
 };
 
 /// Steps 1 to 7 on each line, first to last; lines without a point are left out. In the combined reading

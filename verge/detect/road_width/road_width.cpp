@@ -76,16 +76,16 @@ bool are_comparable(const std::vector<Road>& roads, const RoadWidthConfig& confi
   return roads.size() > 1 && (config.is_printed() || roads.front().road.middle_is_road);
 }
 
-/// The edges of a side, nearest line first, where two lines or more have one.
-std::optional<Boundary> boundary_of(const std::vector<Road>& roads, Side side, const LevelFrame& frame) {
+/// The edges of a side in the level frame, nearest line first, where two lines or more have one.
+std::optional<Boundary> boundary_of(const std::vector<Road>& roads, Side side) {
   Boundary boundary;
   boundary.side = side;
   boundary.kind = BoundaryKind::kCurb;
   boundary.model = Model::kPolyline;
+  const bool left = side == Side::kLeft;
   for (const Road& road : std::views::reverse(roads)) {
-    const bool left = side == Side::kLeft;
     if ((left ? road.road.left : road.road.right).kind == LineEnd::kEdge)
-      boundary.points.push_back(frame.to_sensor(left ? road.left : road.right));
+      boundary.points.push_back(left ? road.left : road.right);
   }
   if (boundary.points.size() < 2) return std::nullopt;
   boundary.confidence = static_cast<double>(boundary.points.size()) / static_cast<double>(roads.size());
@@ -137,10 +137,7 @@ Scene scene_of(const Scan& scan, const std::vector<Road>& roads, std::vector<Cor
                const LevelFrame& frame) {
   Scene scene = scene_about(scan);
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    auto boundary = boundary_of(roads, side, frame);
-    if (!boundary) continue;
-    boundary->id = static_cast<int>(scene.boundaries.size());
-    scene.boundaries.push_back(*std::move(boundary));
+    if (auto boundary = boundary_of(roads, side)) add_boundary(scene, *std::move(boundary), frame);
   }
   for (Corner& corner : corners)
     corner.position = frame.to_sensor({corner.position.x, corner.position.y, 0.0}).xy();
